@@ -41,8 +41,8 @@
 // On which side of the lines of one polygon the corners of the other lie. Bit i of [k] is corner i and line k; line k
 // starts at corner k. A corner with neither bit lies on the line.
 typedef struct sides {
-  uint16_t inside[GJK_FACE_CORNERS_MAX], outside[GJK_FACE_CORNERS_MAX];
-  uint16_t crossed[GJK_FACE_CORNERS_MAX];  // bit i: by the edge from corner i
+  uint16_t inside[GJK_POLYGON_CORNERS_MAX], outside[GJK_POLYGON_CORNERS_MAX];
+  uint16_t crossed[GJK_POLYGON_CORNERS_MAX];  // bit i: by the edge from corner i
 } sides;
 
 typedef struct clip {
@@ -64,6 +64,11 @@ static inline unsigned next_corner(const gjk_polygon *p, unsigned i) {
 // An edge has one line, a face as many as corners.
 static inline unsigned line_count(const gjk_polygon *p) {
   return p->count > 2 ? p->count : 1;
+}
+
+// The edge from corner i to the next one.
+GJK_ONE_COPY static gjk_vec3 edge_from(const gjk_polygon *p, unsigned i) {
+  return gjk_sub(p->corner[next_corner(p, i)], p->corner[i]);
 }
 
 // |x - y| <= near. Unsigned: x - y + near wraps below 0 and exceeds 2 near.
@@ -96,8 +101,8 @@ static gjk_contact *slot_for(gjk_candidates *out, gjk_q16 distance, uint16_t id)
   return out->count < GJK_CANDIDATES_MAX ? &out->candidate[out->count++] : NULL;
 }
 
-static gjk_vec3 world_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
-  if (!may_saturate) {
+GJK_ONE_COPY static gjk_vec3 world_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
+  if (!GJK_SMALL && !may_saturate) {
     return gjk_add(*centre, *p);
   }
   const gjk_vec3 moved = {gjk_saturate((int64_t)centre->x + p->x), gjk_saturate((int64_t)centre->y + p->y),
@@ -130,17 +135,24 @@ static gjk_q16 gap_along(const clip *c, const gjk_vec3 *step) {
 //   |direction| about 2^30, |scaled| <= sqrt(3) 2^30:  |n| at most sqrt(3) 2^60
 // An edge of length 0 has the normal 0, so every corner lies on its line.
 static void line_normal(const gjk_polygon *p, unsigned k, gjk_long3 *n) {
-  const gjk_vec3 edge = gjk_sub(p->corner[next_corner(p, k)], p->corner[k]);
+  const gjk_vec3 edge = edge_from(p, k);
   const gjk_vec3 scaled = (edge.x | edge.y | edge.z) != 0 ? gjk_scale_direction(&edge) : edge;
   gjk_cross(&p->direction, &scaled, n);
 }
 
-// Step 1 where the grid leaves a doubt. Returns the sign of the corner's side of line k.
-GJK_OUT_OF_LINE static int exact_side(const gjk_polygon *p, unsigned k, const gjk_vec3 *corner) {
+// Step 1 where the grid leaves a doubt: adds on which side of line k the corners in open lie.
+GJK_OUT_OF_LINE static void add_exact_sides(const gjk_polygon *p, unsigned k, const gjk_polygon *other, unsigned open,
+                                            unsigned *inside, unsigned *outside) {
   gjk_long3 n;
-  const gjk_vec3 v = gjk_sub(*corner, p->corner[k]);
   line_normal(p, k, &n);
-  return gjk_dot_sign(&n, &v);
+  for (unsigned i = 0; i < other->count; i++) {
+    if ((open >> i & 1u) != 0) {
+      const gjk_vec3 v = gjk_sub(other->corner[i], p->corner[k]);
+      const int side = gjk_dot_sign(&n, &v);
+      *inside |= (side > 0 ? 1u : 0u) << i;
+      *outside |= (side < 0 ? 1u : 0u) << i;
+    }
+  }
 }
 
 // Which edges of a polygon of n corners cross a line, from where the corners are? Bit i: the one from corner i. An end on the
@@ -156,21 +168,22 @@ static void find_sides(const gjk_polygon *p, const gjk_flat_point *of_p, const g
                        const gjk_flat_point *of_other, bool turned, sides *out) {
   const unsigned all = (1u << other->count) - 1;
   for (unsigned k = 0; k < line_count(p); k++) {
-    const gjk_flat_point edge = gjk_flat_way(&of_p[k], &of_p[next_corner(p, k)]);
-    // edge x (corner - start) as a difference of two products: below 2^60 each
-    const int64_t start = gjk_flat_cross(edge, of_p[k]), error = gjk_flat_error(edge);
-    const int64_t above = start + error, below = start - error;
     unsigned left = 0, right = 0;
-    for (unsigned i = 0; i < other->count; i++) {
-      const int64_t side = gjk_flat_cross(edge, of_other[i]);
-      left |= (side >= above ? 1u : 0u) << i;
-      right |= (side <= below ? 1u : 0u) << i;
+    if (!GJK_SMALL) {
+      const gjk_flat_point edge = gjk_flat_way(&of_p[k], &of_p[next_corner(p, k)]);
+      // edge x (corner - start) as a difference of two products: below 2^60 each
+      const int64_t start = gjk_flat_cross(edge, of_p[k]), error = gjk_flat_error(edge);
+      const int64_t above = start + error, below = start - error;
+      for (unsigned i = 0; i < other->count; i++) {
+        const int64_t side = gjk_flat_cross(edge, of_other[i]);
+        left |= (side >= above ? 1u : 0u) << i;
+        right |= (side <= below ? 1u : 0u) << i;
+      }
     }
     unsigned inside = turned ? right : left, outside = turned ? left : right;
-    for (unsigned i = 0, open = all & ~(left | right); open != 0; i++, open >>= 1) {
-      const int side = (open & 1u) != 0 ? exact_side(p, k, &other->corner[i]) : 0;
-      inside |= (side > 0 ? 1u : 0u) << i;
-      outside |= (side < 0 ? 1u : 0u) << i;
+    const unsigned open = all & ~(left | right);
+    if (open != 0) {
+      add_exact_sides(p, k, other, open, &inside, &outside);
     }
     out->inside[k] = (uint16_t)inside;
     out->outside[k] = (uint16_t)outside;
@@ -386,8 +399,7 @@ static unsigned edge_feature(const gjk_polygon *p, unsigned i) {
 // Do the two edges of faces bound the shared region one after the other? Otherwise they enclose a tip of it. The faces
 // are turned to each other, so seen along the direction one of them is clockwise.
 static bool edges_continue(const clip *c, unsigned i, unsigned k) {
-  const gjk_vec3 e = gjk_sub(c->a->corner[next_corner(c->a, i)], c->a->corner[i]),
-                 f = gjk_sub(c->b->corner[next_corner(c->b, k)], c->b->corner[k]);
+  const gjk_vec3 e = edge_from(c->a, i), f = edge_from(c->b, k);
   return c->a->count > 2 && c->b->count > 2 && gjk_dot(&e, &f) < 0;
 }
 
@@ -528,7 +540,7 @@ static void clip_edges(clip *c) {
 // The least of length and p's edges, measured as |x| + |y| + |z|: at most sqrt(3) 2^29.
 static uint32_t shortest_edge(const gjk_polygon *p, uint32_t length) {
   for (unsigned i = 0; i < line_count(p); i++) {
-    const uint32_t edge = gjk_norm1(gjk_sub(p->corner[next_corner(p, i)], p->corner[i]));
+    const uint32_t edge = gjk_norm1(edge_from(p, i));
     length = edge < length ? edge : length;
   }
   return length;

@@ -17,7 +17,7 @@ typedef struct gjk_flat_point {
 } gjk_flat_point;
 
 typedef struct gjk_flat {
-  gjk_flat_point a[GJK_FACE_CORNERS_MAX], b[GJK_FACE_CORNERS_MAX];  // the corners of both polygons
+  gjk_flat_point a[GJK_POLYGON_CORNERS_MAX], b[GJK_POLYGON_CORNERS_MAX];  // the corners of both polygons
   unsigned bits;                                                    // corners are less than 2^bits LSB apart per axis
   uint32_t size;                                                    // of d.m
 } gjk_flat;

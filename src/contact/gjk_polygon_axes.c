@@ -1,15 +1,18 @@
 // Step 1 of gjk_contact_polygon.c for shapes spanned by half axes: box, segment, point. Corners are exact.
 #include "gjk_polygon_kind.h"
 
+// Corner k: the vertex of that number.
+static void set_vertex(const gjk_collider *c, const gjk_vec3 *position, unsigned k, unsigned vertex, gjk_polygon *out) {
+  gjk_vec3 offset;
+  c->shape->type->vertex(c, (uint16_t)vertex, &offset);
+  gjk_polygon_set_corner(out, k, position, &offset, vertex);
+}
+
 // The edge of a box along axis i whose ends agree with signs in the other axes.
 static void set_box_edge(const gjk_collider *c, const gjk_vec3 *position, unsigned i, unsigned signs,
                          gjk_polygon *out) {
-  for (unsigned k = 0; k < 2; k++) {
-    gjk_vec3 offset;
-    const unsigned vertex = k == 0 ? signs & ~(1u << i) : signs | 1u << i;
-    c->shape->type->vertex(c, (uint16_t)vertex, &offset);
-    gjk_polygon_set_corner(out, k, position, &offset, vertex);
-  }
+  set_vertex(c, position, 0, signs & ~(1u << i), out);
+  set_vertex(c, position, 1, signs | 1u << i, out);
   out->count = 2;
   out->feature = (uint16_t)(out->vertex[0] + 256u * out->vertex[1]);
 }
@@ -33,8 +36,12 @@ static void set_box_face(const gjk_collider *c, const gjk_vec3 *position, unsign
   corner[3] = gjk_sub(middle, difference);
   for (unsigned n = 0; n < 4; n++) {
     const unsigned from = turned ? 3 - n : n;
-    gjk_set(&corner[from], &out->corner[n]);
-    out->vertex[n] = (uint16_t)(side | around[from]);
+    if (GJK_SMALL) {
+      set_vertex(c, position, n, side | around[from], out);
+    } else {
+      gjk_set(&corner[from], &out->corner[n]);
+      out->vertex[n] = (uint16_t)(side | around[from]);
+    }
   }
   if (turned) {
     gjk_polygon_negate(&out->normal);
@@ -71,7 +78,7 @@ static void from_box(const gjk_collider *c, const gjk_vec3 *position, gjk_polygo
     along[i] = gjk_dot(&c->frame[i], d);
     signs |= along[i] >= 0 ? 1u << i : 0;
   }
-  face = facing_axis(c, along);
+  face = GJK_SMALL ? 3 : facing_axis(c, along);
   out->meets = face < 3;
   for (unsigned i = 0; i < 3 && !out->meets; i++) {
     const unsigned j = gjk_next(i);

@@ -33,7 +33,7 @@ typedef struct selection {
   unsigned kept;
 } selection;
 
-static bool is_as_large(int64_t value, int64_t largest) {
+GJK_ONE_COPY static bool is_as_large(int64_t value, int64_t largest) {
   return value >= largest - gjk_sar64(largest, ALIKE);
 }
 
@@ -76,7 +76,7 @@ static gjk_q16 least_distance(const gjk_candidates *t) {
 }
 
 // Step 2: the first candidate whose distance is at most limit. Pre: there is one.
-static unsigned first_within(const gjk_candidates *t, const selection *s, int64_t limit) {
+GJK_ONE_COPY static unsigned first_within(const gjk_candidates *t, const selection *s, int64_t limit) {
   unsigned i = 0;
   while (i + 1 < s->count && t->candidate[s->order[i]].distance > limit) {
     i++;
@@ -97,12 +97,12 @@ static void keep_first(selection *s, unsigned i) {
 
 // Twice the area of the triangle of the first one kept, end and i; negative when i lies on the right.
 //   products below 2^60 in size, their difference below 2^61
-static inline int64_t area_of(const selection *s, const spot *end, unsigned i) {
+GJK_ONE_COPY static int64_t area_of(const selection *s, const spot *end, unsigned i) {
   return gjk_mul32(end->x, s->spots[i].y) - gjk_mul32(end->y, s->spots[i].x);
 }
 
 // Keeps the first candidate that is as far from the line to end as the farthest on that side.
-static void keep_aside(selection *s, const spot *end, bool to_left, int64_t farthest) {
+GJK_ONE_COPY static void keep_aside(selection *s, const spot *end, bool to_left, int64_t farthest) {
   // Seen from end backwards, right is left.
   const spot along = {to_left ? end->x : -end->x, to_left ? end->y : -end->y};
   unsigned i = 0;

@@ -408,7 +408,7 @@ static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *pla
   add_twice(pair, plane->i, &s->slot[0], &s->slot[1]);
   add_twice(pair, plane->j, &s->slot[0], &s->slot[2]);
   bool covers = true;
-  if (points) {
+  if (GJK_SMALL || points) {
     if (!GJK_SMALL && plane->in_plane == (i | j) &&
         seems_beyond(&pair->it->direction.d, &s->slot[1].w, &s->slot[2].w)) {
       gjk_copy(&s->slot[0], &s->slot[1], sizeof s->slot[0]);

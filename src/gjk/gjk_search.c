@@ -423,7 +423,7 @@ bool gjk_search_canonical(gjk_iteration *it, bool points) {
   if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {
     mark_all_level(it, level);
     across = direct_across_face(it, &level[0]) || direct_across_face(it, &level[1]);
-    if (across && !points) {
+    if (!GJK_SMALL && across && !points) {
       return false;
     }
     const gjk_search_direction face = it->direction;
@@ -444,6 +444,12 @@ bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
   }
   return gjk_search_may_close(it) && it->shift >= 0 && goal != GJK_GOAL_WITHIN && it->a->shape->type->close(it);
 }
+
+#if GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_BOXES
+gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
+  return gjk_search_any(it, goal, cache, GJK_NO_LIMIT);
+}
+#endif
 
 #if GJK_SHAPES <= GJK_SHAPES_POINTS
 gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit) {

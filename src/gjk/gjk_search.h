@@ -121,7 +121,10 @@ static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const
 }
 
 // The same without a limit, for readers that take any feature for the same. Points and segments then do without the closed
-// form, which no reader but those with a limit needs.
+// form, which no reader but those with a limit needs. In a build for size one copy, in gjk_search.c.
+#if GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_BOXES
+gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
+#else
 static inline gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   if (GJK_SHAPES == GJK_SHAPES_ROUND) {
     it->limit = GJK_ROUND_ITERATIONS;
@@ -129,6 +132,7 @@ static inline gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, con
   }
   return gjk_search_any(it, goal, cache, GJK_NO_LIMIT);
 }
+#endif
 
 // gjk_search_any for what is reported: the canonical feature.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {

@@ -26,9 +26,14 @@
 // within REACH, so distance + SLACK fits.
 #define SLACK 2
 
+GJK_ONE_COPY static bool is_coordinate_within_reach(int32_t a, int32_t b) {
+  const int64_t x = (int64_t)a - b;
+  return x <= REACH && x >= -REACH;
+}
+
 static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
-  const int64_t x = (int64_t)a->x - b->x, y = (int64_t)a->y - b->y, z = (int64_t)a->z - b->z;
-  return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH && z <= REACH && z >= -REACH;
+  return is_coordinate_within_reach(a->x, b->x) && is_coordinate_within_reach(a->y, b->y) &&
+         is_coordinate_within_reach(a->z, b->z);
 }
 
 // Steps 2 and 3. Also sets out's features, and without candidates the id of the one that step 4 admits.
@@ -125,10 +130,10 @@ GJK_OUT_OF_LINE static bool find_contacts(const gjk_collider *a, const gjk_colli
                                           const gjk_distance_result *nearest, bool points, gjk_manifold *out) {
   gjk_candidates candidates;
   gjk_manifold_find(a, b, margin, &candidates, out);
-  if (!points && !is_nearest_known(&candidates, nearest->distance)) {
+  if (!GJK_SMALL && !points && !is_nearest_known(&candidates, nearest->distance)) {
     return false;
   }
-  gjk_manifold_keep(&candidates, points ? nearest : NULL, most, out);
+  gjk_manifold_keep(&candidates, GJK_SMALL || points ? nearest : NULL, most, out);
   return true;
 }
 
@@ -149,7 +154,7 @@ gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 ma
   out->feature_b = 0;
   out->count = 0;
   if (nearest.distance <= margin && !find_contacts(a, b, margin, most, &nearest, points, out) &&
-      GJK_SHAPES >= GJK_SHAPES_BOXES) {
+      GJK_SHAPES >= GJK_SHAPES_BOXES && !GJK_SMALL) {
     status = gjk_signed_distance(a, b, cache, workspace, &nearest);
     (void)find_contacts(a, b, margin, most, &nearest, true, out);
   }

@@ -85,14 +85,13 @@ static void grow_component(gjk_q30 *u) {
   }
 }
 
-// Step 2 along an axis of the frame, which is exact: the move is the depth.
-static bool is_axis(const gjk_iteration *it, const gjk_unit3 *u) {
-  const uint32_t one = gjk_magnitude32(u->x) | gjk_magnitude32(u->y) | gjk_magnitude32(u->z);
-  return one == GJK_Q30_ONE && gjk_simplex_along_axis(&it->simplex) >= 0;
+// Along an axis of the frame, where step 4 changes nothing.
+static bool is_axis(const gjk_unit3 *u) {
+  return (gjk_magnitude32(u->x) | gjk_magnitude32(u->y) | gjk_magnitude32(u->z)) == GJK_Q30_ONE;
 }
 
 void gjk_outward_normal(gjk_iteration *it, const gjk_facet *facet, bool exact, gjk_q16 depth, gjk_unit3 *normal) {
-  if (GJK_SHAPES >= GJK_SHAPES_ROUND && exact && is_axis(it, normal)) {
+  if (is_axis(normal)) {
     return;
   }
   for (int i = 0; i < 6 && depth > 0; i++) {  // not reached: 6, growing 5 times suffices

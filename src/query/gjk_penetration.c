@@ -40,6 +40,11 @@ typedef struct overlap {
   bool points;          // are points and a certificate asked for?
 } overlap;
 
+// A build for size always finds the points.
+static bool has_points(const overlap *o) {
+  return GJK_SMALL || o->points;
+}
+
 // Step 3. Pre: the origin lies in the simplex, or the facet is found.
 static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   gjk_iteration *it = &o->it;
@@ -57,7 +62,7 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
     return GJK_OK;
   }
   o->upper = facet->depth;
-  if (GJK_SHAPES >= GJK_SHAPES_ROUND && o->points) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && has_points(o)) {
     gjk_facet_load(facet, it);
   }
   return expansion == GJK_EPA_FULL ? GJK_ERROR_CAPACITY : GJK_OK;
@@ -110,7 +115,7 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
   out->depth = out->upper - error;
   out->iterations = o->iterations;
   // Step 4.
-  if (o->points) {
+  if (has_points(o)) {
     gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
     certify(o, &out->certificate);
   }
@@ -130,7 +135,7 @@ static gjk_outcome search_pair(overlap *o, gjk_goal goal, const gjk_cache *cache
   gjk_iteration *it = &o->it;
   const gjk_outcome outcome = gjk_search_whole(it, goal, cache);
   const bool level = gjk_search_has_ties(it, goal, outcome);
-  o->points = level ? gjk_search_canonical(it, o->points) : true;
+  o->points = level ? gjk_search_canonical(it, has_points(o)) : true;
   return outcome;
 }
 
@@ -300,12 +305,12 @@ gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *
     plane = gjk_plane_of(it, &overlapping.normal);
     if (!gjk_convex_radii_touch(it, plane)) {
       out->iterations = it->iterations;
-      gjk_distance_report(it, outcome, o.points, NULL, out);
+      gjk_distance_report(it, outcome, has_points(&o), NULL, out);
       return GJK_OK;
     }
   }
   //@ assert it->shift >= 0;
   const gjk_status measured = report_depth(&o, outcome, plane, workspace, &overlapping);
-  report_signed(&overlapping, o.points, out);
+  report_signed(&overlapping, has_points(&o), out);
   return measured;
 }
