@@ -81,7 +81,7 @@ bool gjk2_chain_is_farther(const gjk2_chain_aim *a, const gjk2_chain_aim *b) {
   return a->height < 0 ? sign < 0 : sign > 0;
 }
 
-static void keep_farther(const gjk2_chain_aim *aim, bool *found, gjk2_chain_aim *best) {
+GJK_ONE_COPY static void keep_farther(const gjk2_chain_aim *aim, bool *found, gjk2_chain_aim *best) {
   if (!*found || gjk2_chain_is_farther(aim, best)) {
     gjk2_copy(&best->d, &aim->d);
     gjk2_copy(&best->at, &aim->at);

@@ -51,9 +51,9 @@ typedef struct plane_stretch {
   uint32_t inverse;  // gjk_reciprocal of its length's leading bits; 0: not found yet
 } plane_stretch;
 
-static bool plane_is_within_reach(const gjk2_collider *a, const gjk2_collider *b) {
-  const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
-  return x <= STRETCH_REACH && x >= -STRETCH_REACH && y <= STRETCH_REACH && y >= -STRETCH_REACH;
+GJK_ONE_COPY static bool plane_is_within_reach(int32_t a, int32_t b) {
+  const int64_t x = (int64_t)a - b;
+  return x <= STRETCH_REACH && x >= -STRETCH_REACH;
 }
 
 // Moves the edge outwards, to the side where towards points, by the convex radius.
@@ -93,7 +93,7 @@ static bool is_flatter(const plane_edge *e, const plane_edge *f) {
   const int32_t ph = gjk_high32(p), qh = gjk_high32(q), rh = gjk_high32(r), sh = gjk_high32(s);
   const int64_t sum = gjk_mac32(gjk_mul32(ph, qh), rh, sh);
   const int64_t slack = (int64_t)gjk_magnitude32(ph) + qh + gjk_magnitude32(rh) + sh + 2;
-  if (sum > slack || sum < -slack) {
+  if (!GJK_SMALL && (sum > slack || sum < -slack)) {
     return sum > 0;
   }
   return gjk_sum_of_products_sign_exact(p, q, r, s) > 0;
@@ -108,6 +108,7 @@ static bool plane_is_level(const plane_edge *e, gjk_q16 convex_radius) {
          (convex_radius == 0 || gjk2_dot(e->way.offset, e->way.offset) >= 36 * (int64_t)convex_radius);
 }
 
+#if !GJK_SMALL
 // Has the collider two ends alone? That of a chain's segment is a triangle whose last vertex is its second.
 static inline bool has_two_ends(const gjk2_collider *c) {
   return c->count == 2 ||
@@ -135,6 +136,7 @@ static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_suppor
   edge->along = far ? -along : along;
   return along != 0;
 }
+#endif
 
 // The corner farthest along the normal, of several the last one counterclockwise, with the edges to the next one and to
 // the one before. False: it has no neighbours. guess: the number of a corner near it, or a negative one.
@@ -284,12 +286,12 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
   if (find_posed_side(c, guess, towards, left, out)) {
     return;
   }
-#endif
   if (has_two_ends(c) && find_end(c, towards, &out->corner, &after)) {
     after.left = gjk2_dot(after.way.offset, *left);
     take_if_level(c, &after, out);
     return;
   }
+#endif
   if (c->count == 1 || !find_corner(c, guess, towards, &out->corner, &after, &before)) {  // 1: a circle
     return;
   }
@@ -314,7 +316,7 @@ CONTACTS_INLINE void set_stretch(const gjk2_collider *c, const plane_side *of, g
   out->inverse = 0;
 }
 
-static uint16_t feature_of(const plane_side *of) {
+GJK_ONE_COPY static uint16_t feature_of(const plane_side *of) {
   const uint16_t p = of->corner.vertex;
   if (of->count < 2) {
     return p;
@@ -324,7 +326,7 @@ static uint16_t feature_of(const plane_side *of) {
 }
 
 // The byte of an id. slack: how near to a corner a place counts as the corner, Q30.
-static unsigned id_byte(const plane_stretch *of, int64_t place, int64_t slack) {
+GJK_ONE_COPY static unsigned id_byte(const plane_stretch *of, int64_t place, int64_t slack) {
   const bool at_first = place - of->place[0] <= slack;
   if (!at_first && of->place[1] - place > slack) {
     return ID_EDGE;
@@ -364,7 +366,7 @@ CONTACTS_INLINE gjk2_vec plane_point_at(plane_stretch *of, int64_t place) {
   return point;
 }
 
-static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
+GJK_ONE_COPY static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
   const gjk2_vec world = {gjk_saturate((int64_t)origin.x + p.x), gjk_saturate((int64_t)origin.y + p.y)};
   return world;
 }
@@ -458,7 +460,7 @@ void gjk2_facing_admit(gjk2_manifold *m, gjk_q16 distance, const gjk2_vec *point
 GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin,
                                           int32_t guess_a, int32_t guess_b, gjk2_manifold *out, uint16_t *id) {
   *id = 0;
-  if (!plane_is_within_reach(a, b)) {
+  if (!plane_is_within_reach(a->centre.x, b->centre.x) || !plane_is_within_reach(a->centre.y, b->centre.y)) {
     return false;
   }
   const gjk2_vec towards_b = {out->normal.x, out->normal.y}, towards_a = gjk2_negate(towards_b);

@@ -32,7 +32,7 @@ typedef struct line_segment {
 } line_segment;
 
 // Step 1. The ground turns left at a convex joint. Where it turns back in the same line it counts as convex, a tip.
-static void find_joint(const line_segment *s, bool at_end, line_joint *out) {
+GJK_ONE_COPY static void find_joint(const line_segment *s, bool at_end, line_joint *out) {
   const gjk2_line *line = s->line;
   gjk2_copy(&out->at, at_end ? &s->q : &s->p);
   out->open = at_end ? line->open_after : line->open_before;
