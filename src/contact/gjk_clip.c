@@ -62,7 +62,7 @@ static inline unsigned next_corner(const gjk_polygon *p, unsigned i) {
 }
 
 // An edge has one line, a face as many as corners.
-static inline unsigned line_count(const gjk_polygon *p) {
+GJK_ONE_COPY static unsigned line_count(const gjk_polygon *p) {
   return p->count > 2 ? p->count : 1;
 }
 

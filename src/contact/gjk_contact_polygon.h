@@ -11,13 +11,14 @@
 //   components   at most 2^30 in size
 //   edges        at most 2^29 long
 typedef struct gjk_polygon {
-  gjk_vec3 corner[GJK_POLYGON_CORNERS_MAX];  // of a face counterclockwise seen from outside, of an edge by vertex number
+  gjk_vec3
+      corner[GJK_POLYGON_CORNERS_MAX];  // of a face counterclockwise seen from outside, of an edge by vertex number
   uint16_t vertex[GJK_POLYGON_CORNERS_MAX];  // the corners' vertex numbers
-  gjk_long3 normal;                       // of a face: outward, components below 2^62
-  gjk_vec3 direction;                     // the direction that the polygon meets: a unit vector, Q2.30
-  uint16_t feature;                       // the number that gjk/contacts.h gives the face, edge or corner
-  gjk_q16 radius;                         // of an edge: the radius of the surface around it; 0: sharp
-  bool meets;                             // it is a face known to be within 20 degrees of the direction
+  gjk_long3 normal;                          // of a face: outward, components below 2^62
+  gjk_vec3 direction;                        // the direction that the polygon meets: a unit vector, Q2.30
+  uint16_t feature;                          // the number that gjk/contacts.h gives the face, edge or corner
+  gjk_q16 radius;                            // of an edge: the radius of the surface around it; 0: sharp
+  bool meets;                                // it is a face known to be within 20 degrees of the direction
   uint8_t
       count;  // 2: an edge; more: a face; 1: a corner, or nothing known, and then only direction and feature are set
 } gjk_polygon;

@@ -16,7 +16,7 @@ static uint32_t reach_of_mesh(const void *data) {
   return gjk_triangle_reach(&mesh_of(data)->lower, &mesh_of(data)->upper);
 }
 
-static int32_t grown_end(int32_t x, int64_t by) {
+GJK_ONE_COPY static int32_t grown_end(int32_t x, int64_t by) {
   return gjk_saturate((int64_t)x + by);
 }
 

@@ -42,7 +42,7 @@ bool gjk_face_turn(const gjk_parts_frame *frame, const gjk_collider *body, gjk_s
          relate(&f->world[1], centre, &f->corner[1]) && relate(&f->world[2], centre, &f->corner[2]);
 }
 
-static void exchange_last(gjk_vec3 v[3]) {
+GJK_ONE_COPY static void exchange_last(gjk_vec3 v[3]) {
   const gjk_vec3 second = v[1];
   gjk_set(&v[2], &v[1]);
   gjk_set(&second, &v[2]);
@@ -139,7 +139,7 @@ bool gjk_face_is_over(const gjk_surface_face *f, const gjk_vec3 *point) {
 }
 
 // A coordinate moved by a length along the normal.
-static int32_t moved_along(int32_t centre, int32_t offset, int32_t normal, gjk_q16 by) {
+GJK_ONE_COPY static int32_t moved_along(int32_t centre, int32_t offset, int32_t normal, gjk_q16 by) {
   const int64_t half = INT64_C(1) << 29;
   return gjk_saturate((int64_t)centre + offset + gjk_sar64(gjk_mul32(normal, by) + half, 30));
 }
@@ -157,7 +157,7 @@ void gjk_face_move_deepest(const gjk_collider *body, const gjk_surface_face *f, 
 
 // x, by at most `by` nearer to a third of a sum, which is found to within 1 and 2^-17 of the way there. The face is within the
 // margin, so x is at most 3 2^28 + 3 in size, as sum / 3 is.
-static int32_t pulled(int32_t x, int64_t sum, int32_t by) {
+GJK_ONE_COPY static int32_t pulled(int32_t x, int64_t sum, int32_t by) {
   const int32_t third = (int32_t)gjk_sar64((sum - 3 * (int64_t)x) * 21845, 16);  // below 2^30.6 in size
   return x + (third > by ? by : third < -by ? -by : third);
 }

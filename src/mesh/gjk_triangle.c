@@ -79,7 +79,7 @@ static void set_corners(const gjk_vec3 from[3], gjk_parts_room *room) {
 }
 
 // Half of a range, rounded up, and its middle, rounded down: as gjk_collider_init has them.
-static uint32_t half_of(int32_t low, int32_t high, int32_t *middle) {
+GJK_ONE_COPY static uint32_t half_of(int32_t low, int32_t high, int32_t *middle) {
   *middle = (int32_t)gjk_sar64((int64_t)low + high, 1);
   return (uint32_t)((int64_t)high - *middle);
 }
@@ -161,7 +161,7 @@ int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_regi
          gap_on_axis(lower->z, upper->z, own->lower.z, own->upper.z);
 }
 
-static int64_t middles_apart(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
+GJK_ONE_COPY static int64_t middles_apart(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
   const int64_t doubled = (int64_t)low + high - own_low - own_high;
   return doubled < 0 ? -doubled : doubled;
 }
@@ -176,7 +176,7 @@ int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region
          middles_apart(box.lower.z, box.upper.z, own->lower.z, own->upper.z);
 }
 
-static int sign_of_first(const gjk_long3 *n) {
+GJK_ONE_COPY static int sign_of_first(const gjk_long3 *n) {
   return gjk_sign64(n->x != 0 ? n->x : n->y != 0 ? n->y : n->z);
 }
 

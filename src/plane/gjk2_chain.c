@@ -8,7 +8,7 @@
 // The state of a chain. Other values are those of memory that was never initialised.
 #define CHAIN_STATE UINT16_C(0x3269)
 
-static bool fits_placed(int32_t low, int32_t high, int32_t by) {
+GJK_ONE_COPY static bool fits_placed(int32_t low, int32_t high, int32_t by) {
   return (int64_t)low + by >= INT32_MIN && (int64_t)high + by <= INT32_MAX;
 }
 
@@ -17,7 +17,7 @@ static bool is_placeable(gjk2_vec lower, gjk2_vec upper, const gjk2_vec *positio
 }
 
 // Is the distance of two coordinates within GJK2_RADIUS_MAX?
-static bool is_short(int32_t a, int32_t b) {
+GJK_ONE_COPY static bool is_short(int32_t a, int32_t b) {
   const int64_t length = (int64_t)a - b;
   return length <= GJK2_RADIUS_MAX && length >= -GJK2_RADIUS_MAX;
 }
@@ -151,7 +151,7 @@ gjk_status gjk2_chain_intersect(const gjk2_chain *chain, const gjk2_collider *bo
 }
 
 // How far the range from p to q is from the one from low to high; at most 0 where they meet.
-static int64_t axis_gap(int64_t p, int64_t q, int64_t low, int64_t high) {
+GJK_ONE_COPY static int64_t axis_gap(int64_t p, int64_t q, int64_t low, int64_t high) {
   const int64_t below = low - (p > q ? p : q), above = (p < q ? p : q) - high;
   return below > above ? below : above;
 }

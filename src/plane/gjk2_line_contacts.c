@@ -65,7 +65,7 @@ static bool is_in_reach(const gjk2_line_query *query, const gjk2_chain_aim *aim)
 }
 
 // The wedge at one end of a segment: from one normal to the other, counterclockwise.
-static void wedge_of(const line_segment *s, bool at_end, gjk2_vec *from, gjk2_vec *to) {
+GJK_ONE_COPY static void wedge_of(const line_segment *s, bool at_end, gjk2_vec *from, gjk2_vec *to) {
   gjk2_copy(from, at_end ? &s->normal : &s->before.neighbour);
   gjk2_copy(to, at_end ? &s->after.neighbour : &s->normal);
 }

@@ -2,7 +2,7 @@
 #include "gjk_claim.h"
 
 // floor(x / 2^n) for x in two's complement. Pre: n <= 63, and the result fits.
-static int64_t shift_down(const gjk_u128 *x, unsigned n) {
+GJK_ONE_COPY static int64_t shift_down(const gjk_u128 *x, unsigned n) {
   return gjk_int64(n == 0 ? x->low : x->high << (64 - n) | x->low >> n);
 }
 
@@ -49,7 +49,7 @@ static void add_square(gjk_u192 *sum, int64_t x) {
 }
 
 // *out = p q + r s. False when that is 2^63 or more in size.
-static bool small_sum(int64_t p, int64_t q, int64_t r, int64_t s, int64_t *out) {
+GJK_ONE_COPY static bool small_sum(int64_t p, int64_t q, int64_t r, int64_t s, int64_t *out) {
   gjk_u128 sum;
   gjk_sum_of_products(p, q, r, s, &sum);
   *out = gjk_int64(sum.low);

@@ -30,7 +30,7 @@ static gjk_status refuse_shape(const gjk_shape *shape, gjk_extent *out) {
 }
 
 // |row| <= 2^30, |size| < 2^28:  the product < 2^58
-static int32_t turned_half(int32_t row, gjk_q16 size) {
+GJK_ONE_COPY static int32_t turned_half(int32_t row, gjk_q16 size) {
   return (int32_t)gjk_sar64(gjk_mul32(row, size) + (INT64_C(1) << 29), 30);
 }
 

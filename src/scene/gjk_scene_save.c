@@ -1,7 +1,7 @@
 // The hash of a scene, its seal, and the opening of a block that may come from anywhere.
 #include "gjk_scene_block.h"
 
-static uint64_t mix(uint64_t hash, uint32_t word) {
+GJK_ONE_COPY static uint64_t mix(uint64_t hash, uint32_t word) {
   return gjk_hash_step(hash, word);
 }
 

@@ -20,7 +20,7 @@ static uint32_t length_of(const gjk_vec3 *offset) {
 }
 
 // How far the origin of a part is from that of its body at most.
-static uint32_t arm_of(const gjk_scene_view *v, const gjk_scene_part *p) {
+GJK_ONE_COPY static uint32_t arm_of(const gjk_scene_view *v, const gjk_scene_part *p) {
   const uint32_t own_pose = p->own_pose;
   return own_pose == GJK_SCENE_NONE ? 0 : length_of(&v->own_poses[own_pose].pose.position);
 }

@@ -47,7 +47,7 @@ static void set_near(gjk_scene_pair *pair, bool near) {
 }
 
 // By how much a proven lower bound of the distance exceeds the margins, for gap; 0: it does not.
-static int32_t beyond_margins(const pair_question *q, int64_t bound) {
+GJK_ONE_COPY static int32_t beyond_margins(const pair_question *q, int64_t bound) {
   const int64_t left = bound - q->margin;
   return left > 0 ? gjk_saturate(left) : 0;
 }
