@@ -41,8 +41,8 @@
 // On which side of the lines of one polygon the corners of the other lie. Bit i of [k] is corner i and line k; line k
 // starts at corner k. A corner with neither bit lies on the line.
 typedef struct sides {
-  uint16_t inside[GJK_POLYGON_CORNERS_MAX], outside[GJK_POLYGON_CORNERS_MAX];
-  uint16_t crossed[GJK_POLYGON_CORNERS_MAX];  // bit i: by the edge from corner i
+  uint16_t inside[GJK_POLYGON_CORNERS], outside[GJK_POLYGON_CORNERS];
+  uint16_t crossed[GJK_POLYGON_CORNERS];  // bit i: by the edge from corner i
 } sides;
 
 typedef struct clip {

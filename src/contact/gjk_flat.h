@@ -17,9 +17,9 @@ typedef struct gjk_flat_point {
 } gjk_flat_point;
 
 typedef struct gjk_flat {
-  gjk_flat_point a[GJK_POLYGON_CORNERS_MAX], b[GJK_POLYGON_CORNERS_MAX];  // the corners of both polygons
-  unsigned bits;  // corners are less than 2^bits LSB apart per axis
-  uint32_t size;  // of d.m
+  gjk_flat_point a[GJK_POLYGON_CORNERS], b[GJK_POLYGON_CORNERS];  // the corners of both polygons
+  unsigned bits;                                                  // corners are less than 2^bits LSB apart per axis
+  uint32_t size;                                                  // of d.m
 } gjk_flat;
 
 // An edge or a way to a corner: components below 2^30 in size, each off by less than 1.

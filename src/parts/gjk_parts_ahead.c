@@ -35,7 +35,7 @@ static const ahead_body *ahead_of(const void *data) {
 }
 
 // |v| < 2^31 per axis:  the sum below 2^61.8, shifted below 2^48
-static int64_t up_along(const gjk_unit3 *up, const gjk_vec3 *v) {
+GJK_ONE_COPY static int64_t up_along(const gjk_unit3 *up, const gjk_vec3 *v) {
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z), 30 - HEIGHT_BITS);
 }
 

@@ -69,7 +69,7 @@ gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gj
 }
 
 // Where a coordinate of B's own pose goes when that of one of its parts goes from `from` to `to`.
-static gjk_q16 as_body(gjk_q16 body, gjk_q16 from, gjk_q16 to, bool *saturated) {
+GJK_ONE_COPY static gjk_q16 as_body(gjk_q16 body, gjk_q16 from, gjk_q16 to, bool *saturated) {
   return gjk_saturate_noting((int64_t)body - from + to, saturated);
 }
 

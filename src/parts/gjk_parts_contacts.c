@@ -11,7 +11,7 @@ typedef struct collected_contacts {
 } collected_contacts;
 
 // ITERATION_LIMIT says more than CAPACITY does: contacts are missing.
-static void note_status(collected_contacts *c, gjk_status status) {
+GJK_ONE_COPY static void note_status(collected_contacts *c, gjk_status status) {
   if (status != GJK_OK && c->status != GJK_ERROR_ITERATION_LIMIT) {
     c->status = status;
   }

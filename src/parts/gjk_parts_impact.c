@@ -81,12 +81,12 @@ static gjk_status find_turning(impact_search *s, unsigned body) {
 }
 
 // The larger of the sizes of two numbers, which are below 2^33 in size.
-static int64_t larger_size(int64_t x, int64_t y) {
+GJK_ONE_COPY static int64_t larger_size(int64_t x, int64_t y) {
   const int64_t a = (int64_t)gjk_magnitude64(x), b = (int64_t)gjk_magnitude64(y);
   return a > b ? a : b;
 }
 
-static void cut_impact_region(impact_search *s) {
+GJK_ONE_COPY static void cut_impact_region(impact_search *s) {
   if (s->region.moves && s->latest < GJK_Q30_ONE) {
     gjk_region_cut(&s->region, s->latest);
   }
@@ -189,8 +189,8 @@ static void report_miss_of_parts(const impact_search *s, gjk_impact_result *out)
 }
 
 // Starts a query. B is to be set.
-static void start_impact_search(impact_search *s, const gjk_parts *a, const gjk_motion *motion_a,
-                                const gjk_motion *motion_b, const gjk_impact_setup *setup) {
+GJK_ONE_COPY static void start_impact_search(impact_search *s, const gjk_parts *a, const gjk_motion *motion_a,
+                                             const gjk_motion *motion_b, const gjk_impact_setup *setup) {
   s->body.type = a->type;
   s->body.data = a->data;
   gjk_copy(&s->body.pose, &motion_a->from, sizeof s->body.pose);
