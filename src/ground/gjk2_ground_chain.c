@@ -64,7 +64,7 @@ static bool skip_run(gjk2_ground_walk *walk, const gjk2_index *index) {
 }
 
 // The vertex before segment i, or after it, that is not its own. False: there is none.
-GJK_ONE_COPY static bool find_vertex(const gjk2_ground_walk *walk, uint32_t i, bool following, gjk2_vec *out) {
+static bool find_vertex(const gjk2_ground_walk *walk, uint32_t i, bool following, gjk2_vec *out) {
   const gjk2_vec *v = chain_of(walk)->vertices, *own = &v[following ? i + 1 : i];
   for (uint32_t k = 1; k < walk->end; k++) {  // once round
     if (!walk->closed && (following ? i + 1 >= walk->end : i == 0)) {

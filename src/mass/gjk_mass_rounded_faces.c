@@ -27,7 +27,7 @@ static void set_length(const int64_t x[3], gjk_big *out) {
   gjk_big_length(out);
 }
 
-GJK_ONE_COPY static void set_components(const gjk_vec3 *a, const gjk_vec3 *b, int64_t e[3]) {
+static void set_components(const gjk_vec3 *a, const gjk_vec3 *b, int64_t e[3]) {
   const gjk_vec3 d = gjk_sub(*b, *a);
   e[0] = d.x;
   e[1] = d.y;

@@ -2,7 +2,7 @@
 #include "gjk_tensor.h"
 
 // floor(x factor / 2^30), exact. Pre: |x| < 2^62, |factor| <= 2^30.
-GJK_ONE_COPY static int64_t scale_q30(int64_t x, gjk_q30 factor) {
+static int64_t scale_q30(int64_t x, gjk_q30 factor) {
   // x = 2^31 high + low: 2 high factor + low factor / 2^30
   return 2 * gjk_mul32(gjk_high_digit(x), factor) + gjk_sar64(gjk_mul32(gjk_low_digit(x), factor), 30);
 }

@@ -139,7 +139,7 @@ static bool next_in_field(const void *data, const gjk_region *region, gjk_parts_
 }
 
 // The cell below the region's middle, from 0 to cells - 1.
-GJK_ONE_COPY static uint32_t cell_below(int32_t lower, int32_t upper, int32_t step, uint32_t cells) {
+static uint32_t cell_below(int32_t lower, int32_t upper, int32_t step, uint32_t cells) {
   const int32_t middle = (int32_t)gjk_sar64((int64_t)lower + upper, 1);
   const uint32_t cell = middle < 0 ? 0 : (uint32_t)middle / (uint32_t)step;
   return cell < cells ? cell : cells - 1;

@@ -15,7 +15,7 @@ typedef struct sort_items {
 } sort_items;
 
 // A quarter of the sum of three coordinates from the lower corner: below 3 2^31 / 4, so the differences fit.
-GJK_ONE_COPY static uint32_t place_along(int32_t a, int32_t b, int32_t c, int32_t lower) {
+static uint32_t place_along(int32_t a, int32_t b, int32_t c, int32_t lower) {
   const uint64_t x = (uint32_t)a - (uint32_t)lower, y = (uint32_t)b - (uint32_t)lower,
                  z = (uint32_t)c - (uint32_t)lower;
   const uint64_t sum = x + y + z;
@@ -80,7 +80,7 @@ static gjk_status check_triangles(const gjk_vec3 *vertices, uint32_t vertex_coun
 }
 
 // The least shift that leaves fewer than 2^16 steps.
-GJK_ONE_COPY static uint8_t shift_for(int32_t lower, int32_t upper) {
+static uint8_t shift_for(int32_t lower, int32_t upper) {
   const uint32_t length = (uint32_t)upper - (uint32_t)lower;  // at most 2^31
   return (uint8_t)(length >> 16 == 0 ? 0 : 16 - gjk_clz32(length));
 }

@@ -22,7 +22,7 @@ static bool is_leaf(const gjk_compound_node *n) {
 }
 
 // By how much a span lies below or above another one.
-GJK_ONE_COPY static int64_t box_gap_along(gjk_q16 lower, gjk_q16 upper, gjk_q16 own_lower, gjk_q16 own_upper) {
+static int64_t box_gap_along(gjk_q16 lower, gjk_q16 upper, gjk_q16 own_lower, gjk_q16 own_upper) {
   return lower > own_upper ? (int64_t)lower - own_upper : own_lower > upper ? (int64_t)own_lower - upper : 0;
 }
 

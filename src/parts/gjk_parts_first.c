@@ -18,7 +18,7 @@ void gjk_parts_first_start(gjk_parts_first *f) {
 }
 
 // x + way, and whether it stays within int32.
-GJK_ONE_COPY static gjk_q16 carried(gjk_q16 x, int64_t way) {
+static gjk_q16 carried(gjk_q16 x, int64_t way) {
   return gjk_saturate(x + way);
 }
 
@@ -33,7 +33,7 @@ static bool too_long(int64_t x) {
   return gjk_magnitude64(x) >> 32 != 0;
 }
 
-GJK_ONE_COPY static bool leaves_int32(gjk_q16 centre, int64_t way) {
+static bool leaves_int32(gjk_q16 centre, int64_t way) {
   const int64_t end = centre + way;
   return end < INT32_MIN || end > INT32_MAX;
 }

@@ -3,7 +3,7 @@
 #include "gjk_parts_class.h"
 
 // Is a position so far from both ends of int32 that nothing within reach of it is beyond them?
-GJK_ONE_COPY static bool is_inside(gjk_q16 position, uint32_t reach) {
+static bool is_inside(gjk_q16 position, uint32_t reach) {
   return (int64_t)position - reach >= INT32_MIN && (int64_t)position + reach <= INT32_MAX;
 }
 
