@@ -91,7 +91,7 @@ static bool is_axis(const gjk_unit3 *u) {
 }
 
 void gjk_outward_normal(gjk_iteration *it, const gjk_facet *facet, bool exact, gjk_q16 depth, gjk_unit3 *normal) {
-  if (is_axis(normal)) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && is_axis(normal)) {
     return;
   }
   for (int i = 0; i < 6 && depth > 0; i++) {  // not reached: 6, growing 5 times suffices
