@@ -78,13 +78,13 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' library cortex-m3 -Os OPT=-Os
   check 'gjk_intersect on boxes alone' at_most 8736 -DSIZE_BOXES
   check 'gjk_distance on hulls, boxes and rounded forms' at_most 15136
-  check 'gjk_penetration as well, with posing' at_most 24864 -DSIZE_POSED -DSIZE_DEPTH
+  check 'gjk_penetration as well, with posing' at_most 24512 -DSIZE_POSED -DSIZE_DEPTH
   check 'gjk_cast as well, with posing' at_most 32448 -DSIZE_POSED -DSIZE_CAST
   check 'gjk_time_of_impact as well, with posing' at_most 25600 -DSIZE_POSED -DSIZE_IMPACT
   check 'gjk_cast_ray alone' at_most 28576 -DSIZE_RAY
   # What the README says of programs.
   check 'gjk_intersect on boxes, with posing' at_most 10208 -DSIZE_BOXES -DSIZE_POSED
-  check 'a scene with contacts' at_most 49952 -DSIZE_SCENE
+  check 'a scene with contacts' at_most 48832 -DSIZE_SCENE
   check 'and with a mesh' at_most 95296 -DSIZE_SCENE -DSIZE_GROUND
   check 'bodies of many parts are linked only where they are' links_parts_if_named
   check 'hulls of points' objects_at_most 4256 hull_build hull_grow hull_facets hull_write
@@ -96,10 +96,10 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the frames of a stack' frames
   check 'in the plane: gjk2_intersect on boxes and polygons' at_most 5520 -DSIZE_PLANE_INTERSECT
   check 'in the plane: gjk2_distance, rounded forms as well' at_most 8960 -DSIZE_PLANE_DISTANCE
-  check 'in the plane: every query' at_most 16256 -DSIZE_PLANE_ALL
+  check 'in the plane: every query' at_most 15744 -DSIZE_PLANE_ALL
   check 'in the plane: gjk2_cast' at_most 19760 -DSIZE_PLANE_CAST
   check 'in the plane: gjk2_time_of_impact' at_most 14416 -DSIZE_PLANE_IMPACT
-  check 'in the plane: a scene with contacts' at_most 28576 -DSIZE_PLANE_SCENE
+  check 'in the plane: a scene with contacts' at_most 28160 -DSIZE_PLANE_SCENE
   # What the README says of a build that keeps unused sections.
   objects=$(echo build/cortex-m3-Os/gjk*.o)
   export LIBRARY="$objects"
