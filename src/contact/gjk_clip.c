@@ -67,7 +67,7 @@ GJK_ONE_COPY static unsigned line_count(const gjk_polygon *p) {
 }
 
 // The edge from corner i to the next one.
-GJK_ONE_COPY static gjk_vec3 edge_from(const gjk_polygon *p, unsigned i) {
+GJK_ONE_COPY static gjk_vec3 way_from_corner(const gjk_polygon *p, unsigned i) {
   return gjk_sub(p->corner[next_corner(p, i)], p->corner[i]);
 }
 
@@ -135,7 +135,7 @@ static gjk_q16 gap_along(const clip *c, const gjk_vec3 *step) {
 //   |direction| about 2^30, |scaled| <= sqrt(3) 2^30:  |n| at most sqrt(3) 2^60
 // An edge of length 0 has the normal 0, so every corner lies on its line.
 static void line_normal(const gjk_polygon *p, unsigned k, gjk_long3 *n) {
-  const gjk_vec3 edge = edge_from(p, k);
+  const gjk_vec3 edge = way_from_corner(p, k);
   const gjk_vec3 scaled = (edge.x | edge.y | edge.z) != 0 ? gjk_scale_direction(&edge) : edge;
   gjk_cross(&p->direction, &scaled, n);
 }
@@ -399,7 +399,7 @@ static unsigned edge_feature(const gjk_polygon *p, unsigned i) {
 // Do the two edges of faces bound the shared region one after the other? Otherwise they enclose a tip of it. The faces
 // are turned to each other, so seen along the direction one of them is clockwise.
 static bool edges_continue(const clip *c, unsigned i, unsigned k) {
-  const gjk_vec3 e = edge_from(c->a, i), f = edge_from(c->b, k);
+  const gjk_vec3 e = way_from_corner(c->a, i), f = way_from_corner(c->b, k);
   return c->a->count > 2 && c->b->count > 2 && gjk_dot(&e, &f) < 0;
 }
 
@@ -540,7 +540,7 @@ static void clip_edges(clip *c) {
 // The least of length and p's edges, measured as |x| + |y| + |z|: at most sqrt(3) 2^29.
 static uint32_t shortest_edge(const gjk_polygon *p, uint32_t length) {
   for (unsigned i = 0; i < line_count(p); i++) {
-    const uint32_t edge = gjk_norm1(edge_from(p, i));
+    const uint32_t edge = gjk_norm1(way_from_corner(p, i));
     length = edge < length ? edge : length;
   }
   return length;
