@@ -33,13 +33,30 @@ static int64_t support(const gjk2_search *s, gjk2_vec d) {
   return gjk2_dot(s->delta, d) + plane_farthest(s->a, d) + plane_farthest(s->b, gjk2_negate(d));
 }
 
-// Step 1. False when a named vertex does not exist, or more than most are named.
-static bool load_named(gjk2_search *s, const gjk2_certificate *certificate, unsigned most) {
+// The vertex of A - B with these offsets from the centres. Pre: a near frame.
+static gjk2_vec plane_difference(gjk2_vec delta, gjk2_vec of_a, gjk2_vec of_b) {
+  return gjk2_add(delta, gjk2_sub(of_a, of_b));
+}
+
+// The vertex of A - B of this name. False when it does not exist.
+static bool plane_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vec *out) {
+  gjk2_vec of_a, of_b;
+  if (!s->a->shape->type->vertex(s->a, a, &of_a) || !s->b->shape->type->vertex(s->b, b, &of_b)) {
+    return false;
+  }
+  const gjk2_vec w = plane_difference(s->delta, of_a, of_b);
+  out->x = w.x;
+  out->y = w.y;
+  return true;
+}
+
+// Step 1: writes the named vertices. False when one of them does not exist, or more than most are named.
+static bool load_named(const gjk2_search *s, const gjk2_certificate *certificate, unsigned most, gjk2_vec *out) {
   if (certificate->count < 1 || certificate->count > most) {
     return false;
   }
   for (unsigned i = 0; i < certificate->count; i++) {
-    if (!gjk2_search_place(s, certificate->a[i], certificate->b[i], &s->slot[i])) {
+    if (!plane_place(s, certificate->a[i], certificate->b[i], &out[i])) {
       return false;
     }
   }
@@ -54,20 +71,18 @@ static bool has_foot(const gjk2_vec *p, const gjk2_vec *q) {
 
 // Makes one or two named vertices the feature: its direction d and base. False: they are no feature, or at the origin.
 static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificate) {
-  if (!load_named(s, certificate, 2)) {
+  gjk2_vec w[2];
+  if (!load_named(s, certificate, 2, w)) {
     return false;
   }
-  const gjk2_vec *p = &s->slot[0].w;
-  s->count = certificate->count;
-  if (s->count == 1) {
-    s->d = gjk2_negate(*p);
-    s->base = -gjk2_dot(*p, *p);
+  if (certificate->count == 1) {
+    s->d = gjk2_negate(w[0]);
+    s->base = -gjk2_dot(w[0], w[0]);
     return s->base < 0;
   }
-  const gjk2_vec *q = &s->slot[1].w;
-  s->d = gjk2_outward(gjk2_sub(*q, *p));
-  s->base = gjk2_cross(*p, *q);
-  return s->base < 0 && has_foot(p, q);
+  s->d = gjk2_outward(gjk2_sub(w[1], w[0]));
+  s->base = gjk2_cross(w[0], w[1]);
+  return s->base < 0 && has_foot(&w[0], &w[1]);
 }
 
 // Step 2: is the named feature the one of A - B nearest to the origin, and not at the origin?
@@ -80,13 +95,8 @@ static bool holds_origin(const gjk2_vec *p, const gjk2_vec *q) {
   return gjk2_cross(*p, *q) == 0 && gjk2_dot(*p, *q) <= 0;
 }
 
-// Step 2: do the named vertices contain the origin?
-static bool plane_is_enclosing(gjk2_search *s, const gjk2_certificate *certificate) {
-  if (!load_named(s, certificate, 3)) {
-    return false;
-  }
-  const gjk2_vec *p = &s->slot[0].w;
-  const gjk2_vec *q = certificate->count > 1 ? &s->slot[1].w : p, *r = certificate->count > 2 ? &s->slot[2].w : p;
+// Does the triangle hold the origin?
+static bool triangle_holds_origin(const gjk2_vec *p, const gjk2_vec *q, const gjk2_vec *r) {
   if (holds_origin(p, q) || holds_origin(q, r) || holds_origin(r, p)) {
     return true;
   }
@@ -94,22 +104,35 @@ static bool plane_is_enclosing(gjk2_search *s, const gjk2_certificate *certifica
   return a != 0 && a == b && b == c;
 }
 
+// Step 2: do the named vertices contain the origin?
+static bool plane_is_enclosing(const gjk2_search *s, const gjk2_certificate *certificate) {
+  gjk2_vec w[3];
+  return load_named(s, certificate, 3, w) &&
+         triangle_holds_origin(&w[0], &w[certificate->count > 1 ? 1 : 0], &w[certificate->count > 2 ? 2 : 0]);
+}
+
+// Does the edge come within the radius, and not only its ends?
+static bool edge_is_near(const gjk2_vec *p, const gjk2_vec *q, int32_t radius) {
+  return has_foot(p, q) && gjk2_is_within(gjk_int64(gjk_magnitude64(gjk2_cross(*p, *q))), gjk2_sub(*q, *p), radius);
+}
+
+// Does the vertex come within the radius?
+static bool vertex_is_near(const gjk2_vec *p, int32_t radius) {
+  return gjk2_is_within(gjk2_dot(*p, *p), *p, radius);
+}
+
 // Step 2: does the named feature come within the radius?
-static bool plane_proves_near(gjk2_search *s, const gjk2_certificate *certificate) {
-  if (!load_named(s, certificate, 2)) {
+static bool plane_proves_near(const gjk2_search *s, const gjk2_certificate *certificate) {
+  gjk2_vec w[2];
+  if (!load_named(s, certificate, 2, w)) {
     return false;
   }
-  if (certificate->count == 2 && gjk2_cross(s->slot[0].w, s->slot[1].w) > 0) {
-    gjk2_copy_vertex(&s->slot[2], &s->slot[0]);
-    gjk2_copy_vertex(&s->slot[0], &s->slot[1]);
-    gjk2_copy_vertex(&s->slot[1], &s->slot[2]);
-  }
-  const gjk2_vec *p = &s->slot[0].w, *q = &s->slot[1].w;
-  if (certificate->count == 1) {
-    const gjk2_vec d = gjk2_negate(*p);
-    return gjk2_norm1(*p) == 0 || gjk2_is_within(gjk2_dot(d, d), d, s->radius);
-  }
-  return has_foot(p, q) && gjk2_is_within(-gjk2_cross(*p, *q), gjk2_outward(gjk2_sub(*q, *p)), s->radius);
+  return certificate->count == 1 ? vertex_is_near(&w[0], s->radius) : edge_is_near(&w[0], &w[1], s->radius);
+}
+
+// Is the line across d, of the points w with d . w = height, more than radius before the origin?
+GJK_ONE_COPY static bool line_is_clear(gjk2_vec d, int64_t height, int32_t radius) {
+  return height < 0 && !gjk2_is_within(-height, d, radius);
 }
 
 // Step 2: does the line across direction keep all of A - B more than radius away from the origin?
@@ -123,18 +146,21 @@ static bool direction_separates(const gjk2_search *s, const gjk2_vec *direction,
     return false;
   }
   const int64_t along = support(s, d);
-  return along < 0 && !gjk2_is_within(-along, d, (int32_t)radius);
+  return line_is_clear(d, along, (int32_t)radius);
 }
 
 static bool plane_is_apart(gjk2_search *s, const gjk2_certificate *certificate, int64_t radius) {
   if (certificate->proof == GJK2_PROOF_DIRECTION) {
     return direction_separates(s, &certificate->direction, radius);
   }
-  return certificate->proof == GJK2_PROOF_NEAREST && plane_is_nearest(s, certificate) &&
-         !gjk2_is_within(-s->base, s->d, s->radius);
+  if (certificate->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, certificate)) {
+    return false;
+  }
+  const gjk2_vec d = {s->d.x, s->d.y};
+  return line_is_clear(d, s->base, s->radius);
 }
 
-static bool plane_is_together(gjk2_search *s, const gjk2_certificate *certificate) {
+static bool plane_is_together(const gjk2_search *s, const gjk2_certificate *certificate) {
   if (certificate->proof == GJK2_PROOF_NEAR) {
     return plane_proves_near(s, certificate);
   }
@@ -160,25 +186,36 @@ gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, g
   return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
 
-// May saturation explain points that are not where the certificate has them? At least one must have a coordinate at an
-// end of Q16.16 that its named vertices reach. The other must be on its shape, or saturated too.
-static bool plane_may_be_saturated(const gjk2_search *s, const gjk2_certificate *c, const gjk2_vec *a, bool on_a,
-                                   const gjk2_vec *b, bool on_b) {
-  const bool saturated_a = gjk2_claim_saturated(s->a, c->a, c->count, a),
-             saturated_b = gjk2_claim_saturated(s->b, c->b, c->count, b);
-  return (saturated_a || saturated_b) && (on_a || saturated_a) && (on_b || saturated_b);
+// Step 4: are both points on their shapes? Or, where they may be saturated, is at least one so: has it a coordinate at an
+// end of Q16.16 that its named vertices reach? Then the other must be on its shape, or saturated too.
+static bool plane_points_hold(const gjk2_search *s, const gjk2_certificate *c, const gjk2_vec *a, const gjk2_vec *b,
+                              bool saturated) {
+  const bool on_a = gjk2_claim_point(s->a, c->a, c->count, a), on_b = gjk2_claim_point(s->b, c->b, c->count, b);
+  if (!saturated) {
+    return on_a && on_b;
+  }
+  const bool end_a = gjk2_claim_saturated(s->a, c->a, c->count, a),
+             end_b = gjk2_claim_saturated(s->b, c->b, c->count, b);
+  return (end_a || end_b) && (on_a || end_a) && (on_b || end_b);
 }
 
-// Step 4: are the points on their shapes and as far apart as the distance, or saturated? Pre: the certificate holds.
-static bool plane_are_nearest(const gjk2_search *s, const gjk2_length *length, const gjk2_distance_result *result) {
+// Steps 2 to 4, of a distance.
+static bool plane_proves_distance(gjk2_search *s, const gjk2_distance_result *result) {
   const gjk2_certificate *c = &result->certificate;
-  const bool on_a = gjk2_claim_point(s->a, c->a, c->count, &result->point_a),
-             on_b = gjk2_claim_point(s->b, c->b, c->count, &result->point_b);
-  if (!result->saturated) {
-    return on_a && on_b &&
-           gjk2_claim_gap(length, (uint64_t)-s->base, gjk2_convex_radii(s), &result->point_a, &result->point_b);
+  gjk2_length length;
+  if (result->intersecting) {
+    return result->distance == 0 && !result->saturated && plane_is_together(s, c);
   }
-  return plane_may_be_saturated(s, c, &result->point_a, on_a, &result->point_b, on_b);
+  if (c->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, c) || gjk2_is_within(-s->base, s->d, s->radius)) {
+    return false;
+  }
+  const uint64_t height = (uint64_t)-s->base;
+  const int32_t radii = gjk2_convex_radii(s);
+  gjk2_length_set(&length, s->d);
+  return gjk2_round_distance(&length, GJK2_ROUND_NEAREST, height) - radii == result->distance &&
+         gjk2_claim_normal(s->d, &result->normal) &&
+         plane_points_hold(s, c, &result->point_a, &result->point_b, result->saturated) &&
+         (result->saturated || gjk2_claim_gap(&length, height, radii, &result->point_a, &result->point_b));
 }
 
 gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, const gjk2_distance_result *result) {
@@ -187,29 +224,12 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
   if (status != GJK_OK) {
     return status;
   }
-  const gjk2_certificate *certificate = &result->certificate;
   (void)gjk2_search_start(&s, a, b, false, (uint32_t)(a->shape->convex_radius + b->shape->convex_radius));
   if (!gjk2_search_is_exact(&s)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  if (result->lower != result->distance || result->upper != result->distance) {
-    return GJK_ERROR_UNPROVEN;
-  }
-  bool proven;
-  if (result->intersecting) {
-    proven = result->distance == 0 && !result->saturated && plane_is_together(&s, certificate);
-  } else {
-    gjk2_length length;
-    proven = certificate->proof == GJK2_PROOF_NEAREST && plane_is_nearest(&s, certificate) &&
-             !gjk2_is_within(-s.base, s.d, s.radius);
-    if (proven) {
-      gjk2_length_set(&length, s.d);
-      proven = gjk2_round_distance(&length, GJK2_ROUND_NEAREST, (uint64_t)-s.base) - gjk2_convex_radii(&s) ==
-                   result->distance &&
-               gjk2_claim_normal(s.d, &result->normal) && plane_are_nearest(&s, &length, result);
-    }
-  }
-  return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
+  const bool exact = result->lower == result->distance && result->upper == result->distance;
+  return exact && plane_proves_distance(&s, result) ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
 
 // Do the cores intersect? Proven by a decision of the check's own.
@@ -226,6 +246,7 @@ static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result
   const gjk2_certificate *c = &result->certificate;
   gjk2_length length;
   gjk2_edge lowest;
+  gjk2_vec w[2];
   const int64_t core = (int64_t)result->depth - gjk2_convex_radii(s);
   switch (c->proof) {
     case GJK2_PROOF_NEAREST:
@@ -239,18 +260,17 @@ static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result
     case GJK2_PROOF_LINE:
       gjk2_copy(n, &c->direction);
       *height = 0;
-      return core == 0 && load_named(s, c, 1) && gjk2_norm1(s->slot[0].w) == 0 && gjk2_norm1(*n) != 0 &&
+      return core == 0 && load_named(s, c, 1, w) && gjk2_norm1(w[0]) == 0 && gjk2_norm1(*n) != 0 &&
              gjk_magnitude32(n->x) <= UINT32_C(1) << 30 && gjk_magnitude32(n->y) <= UINT32_C(1) << 30 &&
              support(s, *n) == 0;
     case GJK2_PROOF_EDGE: break;
     default: return false;
   }
-  if (c->count != 2 || !load_named(s, c, 2)) {
+  if (c->count != 2 || !load_named(s, c, 2, w)) {
     return false;
   }
-  const gjk2_vec *p = &s->slot[0].w, *q = &s->slot[1].w;
-  *n = gjk2_outward(gjk2_sub(*q, *p));
-  *height = gjk2_cross(*p, *q);
+  *n = gjk2_outward(gjk2_sub(w[1], w[0]));
+  *height = gjk2_cross(w[0], w[1]);
   if (gjk2_norm1(*n) == 0 || *height < 0 || support(s, *n) != *height || !cores_intersect(s)) {
     return false;
   }
@@ -262,12 +282,9 @@ static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result
 // Step 4: are the points on their shapes and depth apart against the normal, or saturated?
 static bool plane_coincide(const gjk2_search *s, const gjk2_penetration_result *result) {
   const gjk2_certificate *c = &result->certificate;
-  const bool on_a = gjk2_claim_point(s->a, c->a, c->count, &result->point_a),
-             on_b = gjk2_claim_point(s->b, c->b, c->count, &result->point_b);
-  if (on_a && on_b && gjk2_claim_overlap(result->depth, &result->normal, &result->point_a, &result->point_b)) {
-    return true;
-  }
-  return plane_may_be_saturated(s, c, &result->point_a, on_a, &result->point_b, on_b);
+  const gjk2_vec *a = &result->point_a, *b = &result->point_b;
+  return (plane_points_hold(s, c, a, b, false) && gjk2_claim_overlap(result->depth, &result->normal, a, b)) ||
+         plane_points_hold(s, c, a, b, true);
 }
 
 gjk_status gjk2_check_penetration(const gjk2_collider *a, const gjk2_collider *b,

@@ -133,15 +133,14 @@ bool gjk2_claim_gap(const gjk2_length *length, uint64_t height, int32_t radius, 
     eighths += compare_eighths(length, height, eighths + 1) >= 0 ? 1 : 0;
   }
   eighths -= 8 * (int64_t)radius;
-  const gjk2_length one = {1, 0, 0};
   gjk_u192 squared, most, least;
   gjk_u192_set(&squared, 0);
   add_square_times(&squared, x, 64);
   add_square_times(&squared, y, 64);
   gjk_u192_set(&most, 0);
-  add_square_times(&most, eighths + 16, one.squared);
+  plane_add_square(&most, eighths + 16);
   gjk_u192_set(&least, 0);
-  add_square_times(&least, eighths > 15 ? eighths - 15 : 0, one.squared);
+  plane_add_square(&least, eighths > 15 ? eighths - 15 : 0);
   return gjk_u192_compare(&squared, &most) <= 0 && gjk_u192_compare(&squared, &least) >= 0;
 }
 

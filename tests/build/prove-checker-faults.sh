@@ -20,7 +20,7 @@ fault() {
   grep -m 2 -E "$6" "$copy/out" | sed "s/^/  $1: /"
 }
 
-for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
+for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3 coqc:coq; do
   if ! have "${tool%%:*}"; then
     skip 'the faults' "${tool##*:}"
     finish prove-checker-faults
@@ -36,6 +36,17 @@ fault touching-is-apart $measure.c gjk2_is_within 'gjk_umul32(r, r), 1)' 'gjk_um
 fault borrow-lost $measure.c gjk2_reaches '(sum.high - (sum.low < rest))' 'sum.high' "$open"
 fault bound-too-low $measure.h gjk2_length_bound 'y = gjk_magnitude32(n.y);' 'y = gjk_magnitude32(n.x);' "$open"
 fault edge-reversed src/plane/gjk2_check.c has_foot 'gjk2_vec edge = gjk2_sub(*q, *p);' 'gjk2_vec edge = gjk2_sub(*p, *q);' "$open"
+check=src/plane/gjk2_check.c
+fault difference-reversed $check plane_difference 'gjk2_sub(of_a, of_b)' 'gjk2_sub(of_b, of_a)' "$open"
+fault too-many-named $check load_named 'certificate->count > most)' 'certificate->count > most + 1)' "$open"
+fault flat-triangle $check triangle_holds_origin 'a != 0 && a == b' 'a == b' "$open"
+fault foot-outside $check edge_is_near 'has_foot(p, q) && gjk2_is_within' 'gjk2_is_within' "$open"
+fault base-of-other-sign $check plane_set_feature 's->base = gjk2_cross(w[0], w[1]);' 's->base = gjk2_cross(w[1], w[0]);' "$open"
+fault touching-line-is-clear $check line_is_clear 'height < 0 &&' 'height <= 0 &&' "$open"
+fault support-not-asked $check plane_is_nearest ' && support(s, s->d) == s->base' '' "$open"
+fault proof-of-no-kind $check plane_is_apart 'certificate->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, certificate)' 'certificate->proof != GJK2_PROOF_NEAREST' "$open"
+fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
+  'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \
   '    ensures \result == 0 || \result == 1;
     ensures \result == 1 <==> reaches(h, squared, x, rest); */' '*/' '^no contract: gjk2_reaches'

@@ -1,10 +1,11 @@
 #!/bin/sh
-# Proves what the checker of the plane stands on, with Frama-C's WP, Why3, Z3 and CVC4:
-# prove-checker.sh BUILD [quick | FUNCTION...]
+# Proves the checker of the plane's decisions, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
+# no vertices: prove-checker.sh BUILD [quick | hull | FUNCTION...]
 #
 # tests/prove/README.md tells what is proven. Each lemma and each obligation of a function is printed with its prover. One
 # that is not proven fails, and so does a function of the list without a contract. What is proven is the sources as they
-# are, with comments between their lines: see annotate.awk. `quick` proves the functions marked so, as int32; FUNCTION... these alone.
+# are, with comments between their lines: see annotate.awk. `quick` proves the functions marked so, as int32; FUNCTION... these alone;
+# `hull` the theorems of hull.v alone.
 . tests/build/count.sh
 LC_ALL=C.UTF-8
 export LC_ALL
@@ -80,6 +81,14 @@ run() {
   check "$1: each function has its contract" contracts "$1" "$list"
 }
 
+# The theorems of hull.v, from nothing but the axioms of Coq's real numbers.
+theorems() {
+  (cd "$dir" && coqc -q $spec/hull.v) >"$dir/hull.txt" 2>&1 || { tail -n 5 "$dir/hull.txt"; return 1; }
+  sed -n 's/^\([A-Za-z_.][A-Za-z_.]*\) *:.*/\1/p; s/^\([A-Za-z_]*\.[A-Za-z_]*\)$/\1/p' "$dir/hull.txt" | sort -u >"$dir/hull.axioms"
+  ! grep -vxE 'Axioms|ClassicalDedekindReals\.sig_(not|forall)_dec|FunctionalExtensionality\.functional_extensionality_dep' \
+    "$dir/hull.axioms" && [ "$(grep -c '^Axioms:' "$dir/hull.txt")" = "$(grep -c '^Theorem' "$dir/$spec/hull.v")" ]
+}
+
 for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
   if ! have "${tool%%:*}"; then
     skip 'the proof of the checker' "${tool##*:}"
@@ -97,6 +106,13 @@ if [ -z "$wanted" ]; then
   proven=$?
   cat "$dir/lemmas.goals"
   check 'each lemma is proven' [ $proven = 0 ]
+fi
+if [ -z "$wanted" ] || [ "$wanted" = hull ]; then
+  if have coqc; then
+    check 'what holds of vertices decides about all points' theorems
+  else
+    skip 'the theorems about all points' coq
+  fi
 fi
 run int32 gcc_x86_32 '' wide
 run plane gcc_x86_32 '' plane

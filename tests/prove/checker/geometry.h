@@ -52,15 +52,20 @@
     predicate under(integer t, integer d, integer p) = t * t <= d * p;
     predicate at_most(integer t, integer r, integer s) = t <= r * s;
     predicate sum_in(integer x, integer y, integer u, integer v, integer r, integer s) =
-      at_most(dot(x, y, u, v), r, s) && in_disc(x + u, y + v, r + s);
-    predicate spread(integer dx, integer dy, integer x, integer y, integer u, integer v, integer s, integer t) =
-      dot(dx, dy, x + u - s, y + v - t) == dot(x, y, dx, dy) + dot(u, v, dx, dy) + dot(s, t, -dx, -dy); */
+      at_most(dot(x, y, u, v), r, s) && in_disc(x + u, y + v, r + s); */
 
 // The point lies more than r before the line across d through the origin.
 /*@ predicate beyond(integer dx, integer dy, integer x, integer y, integer r) =
       dot(dx, dy, x, y) < 0 && farther(-dot(dx, dy, x, y), r, dot(dx, dy, dx, dy));
     lemma beyond: \forall integer dx, dy, x, y, r, h;
       0 < h && dot(dx, dy, x, y) <= -h && farther(h, r, dot(dx, dy, dx, dy)) ==> beyond(dx, dy, x, y, r);
+    predicate behind_one(integer dx, integer dy, integer x, integer y, integer u, integer v, integer s, integer t, integer h) =
+      dot(x, y, dx, dy) + dot(u, v, dx, dy) + dot(s, t, -dx, -dy) <= h;
+    predicate beyond_one(integer dx, integer dy, integer x, integer y, integer u, integer v, integer s, integer t, integer r) =
+      beyond(dx, dy, x + u - s, y + v - t, r);
+    predicate clear(integer dx, integer dy, integer h, integer r) = h < 0 && farther(-h, r, dot(dx, dy, dx, dy));
+    lemma beyond_one: \forall integer dx, dy, x, y, u, v, s, t, r, h;
+      behind_one(dx, dy, x, y, u, v, s, t, h) && clear(dx, dy, h, r) ==> beyond_one(dx, dy, x, y, u, v, s, t, r);
     lemma cauchy: \forall integer x, y, u, v; under(dot(x, y, u, v), dot(x, y, x, y), dot(u, v, u, v));
     lemma under_products: \forall integer t, a, b, r, s;
       0 <= r && 0 <= s && 0 <= a <= r * r && 0 <= b <= s * s && under(t, a, b) ==> at_most(t, r, s);
@@ -71,12 +76,47 @@
       0 <= r && 0 <= s && in_disc(x, y, r) && in_disc(u, v, s) ==> at_most(dot(x, y, u, v), r, s);
     lemma triangle: \forall integer x, y, u, v, r, s;
       0 <= r && 0 <= s && in_disc(x, y, r) && in_disc(u, v, s) ==> sum_in(x, y, u, v, r, s);
-    lemma spread: \forall integer dx, dy, x, y, u, v, s, t; spread(dx, dy, x, y, u, v, s, t);
     lemma along: \forall integer dx, dy, x, y; dot(dx, dy, dx, dy) < 0x4000000000000000 && in_disc(x, y, 0x60000000) ==>
       small(dx, dy, x, y);
+    predicate small_one(integer dx, integer dy, integer x, integer y, integer u, integer v, integer s, integer t) =
+      small(dx, dy, x + u - s, y + v - t);
+    lemma lowest: \forall integer dx, dy, x, y, u, v, s, t, h; behind_one(dx, dy, x, y, u, v, s, t, h) &&
+      small_one(dx, dy, x, y, u, v, s, t) ==> -0x4000000000000000 < h;
+    lemma opposite: \forall integer x, y, r; in_disc(x, y, r) ==> in_disc(-x, -y, r);
     lemma widened: \forall integer x, y, r, s; 0 <= r <= s && in_disc(x, y, r) ==> in_disc(x, y, s);
     lemma reach: \forall integer t, d, p, r; 0 <= d && under(t, d, p) && 0 <= r && p <= r * r ==> !farther(t, r, d);
     lemma point: \forall integer x, y, r;
       0 <= r && !farther(dot(x, y, x, y), r, dot(x, y, x, y)) && dot(x, y, x, y) > 0 ==> near_point(x, y, r); */
+
+// The line of an edge between points in reach: what its direction d = (v - y, -(u - x)) and cross product obey.
+/*@ predicate edge_line(integer x, integer y, integer u, integer v) =
+      cross(x, y, u, v) == dot(v - y, -(u - x), x, y) && small(v - y, -(u - x), x, y) && cross_fits(x, y, u, v) &&
+      0 <= dot(u - x, v - y, u - x, v - y) < 0x4000000000000000 &&
+      dot(v - y, -(u - x), v - y, -(u - x)) == dot(u - x, v - y, u - x, v - y) &&
+      !farther(cross(x, y, u, v), 0x60000000, dot(u - x, v - y, u - x, v - y));
+    lemma edge_line: \forall integer x, y, u, v; in_disc(x, y, 0x60000000) &&
+      -0x40000000 <= u - x <= 0x40000000 && -0x40000000 <= v - y <= 0x40000000 ==> edge_line(x, y, u, v); */
+
+// Circles of radii that add up to r, whose centres are (x, y) apart, have no point in common.
+/*@ predicate circles_apart(integer x, integer y, integer r) = x * x + y * y > r * r;
+    lemma wide_x: \forall integer x, y, r; 0 <= r && (x > r || -x > r) ==> circles_apart(x, y, r);
+    lemma wide_y: \forall integer x, y, r; 0 <= r && (y > r || -y > r) ==> circles_apart(x, y, r);
+    predicate close_centres(integer x, integer y) = -0x20000003 <= x <= 0x20000003 && -0x20000003 <= y <= 0x20000003;
+    lemma close_centres: \forall integer x, y; close_centres(x, y) ==> in_disc(x, y, 0x40000000); */
+
+/*@ predicate near_size(integer x, integer y, integer u, integer v, integer r) = near_line(x, y, u, v, r) <==>
+      !farther(cross(x, y, u, v) < 0 ? -cross(x, y, u, v) : cross(x, y, u, v), r, dot(u - x, v - y, u - x, v - y));
+    lemma near_size: \forall integer x, y, u, v, r; near_size(x, y, u, v, r); */
+
+// A line that the checker takes: d . w = h.
+/*@ predicate line(integer dx, integer dy, integer h) = -0x60000000 <= dx <= 0x60000000 && -0x60000000 <= dy <= 0x60000000 &&
+      -0x4000000000000000 < h < 0 && dot(dx, dy, dx, dy) < 0x4000000000000000 &&
+      !farther(-h, 0x60000000, dot(dx, dy, dx, dy));
+    predicate line_of_point(integer x, integer y) = line(-x, -y, -dot(x, y, x, y));
+    predicate line_of_edge(integer x, integer y, integer u, integer v) = line(v - y, -(u - x), cross(x, y, u, v));
+    lemma line_of_point: \forall integer x, y; in_disc(x, y, 0x60000000) && 0 < dot(x, y, x, y) &&
+      -0x60000000 <= x <= 0x60000000 && -0x60000000 <= y <= 0x60000000 ==> line_of_point(x, y);
+    lemma line_of_edge: \forall integer x, y, u, v; edge_line(x, y, u, v) && cross(x, y, u, v) < 0 &&
+      -0x40000000 <= u - x <= 0x40000000 && -0x40000000 <= v - y <= 0x40000000 ==> line_of_edge(x, y, u, v); */
 
 #endif

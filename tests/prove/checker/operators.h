@@ -11,6 +11,7 @@
       axiom shift1: \forall integer x; 2 * (x >> 1) <= x < 2 * (x >> 1) + 2;
       axiom shift2: \forall integer x; 4 * (x >> 2) <= x < 4 * (x >> 2) + 4;
       axiom shift16: \forall integer x; 0x10000 * (x >> 16) <= x < 0x10000 * (x >> 16) + 0x10000;
+      axiom shift27: \forall integer x; 0x8000000 * (x >> 27) <= x < 0x8000000 * (x >> 27) + 0x8000000;
       axiom shift31: \forall integer x; 0x80000000 * (x >> 31) <= x < 0x80000000 * (x >> 31) + 0x80000000;
       axiom shift32: \forall integer x; 0x100000000 * (x >> 32) <= x < 0x100000000 * (x >> 32) + 0x100000000;
       axiom shift62: \forall integer x;
@@ -32,6 +33,7 @@
         0 <= x == 0x100000000 * (x >> 32) && 0 <= y < 0x100000000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or62: \forall integer x, y;
         0 <= x == 0x4000000000000000 * (x >> 62) && 0 <= y < 0x4000000000000000 ==> (x | y) == x + y && (y | x) == x + y;
+      axiom xor_sign: \forall integer x, y; (y == 0 ==> (x ^ y) == x) && (y == -1 ==> (x ^ y) == -1 - x);
       axiom or_least: \forall integer x, y; 0 <= x && 0 <= y ==> (x | y) >= x && (x | y) >= y;
     } */
 

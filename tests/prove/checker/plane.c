@@ -2,5 +2,4 @@
 #include "plane.h"
 #include "src/plane/gjk2_check.c"
 #include "src/plane/gjk2_measure.c"
-#include "src/plane/gjk2_search.c"
 #include "src/plane/gjk2_search_frame.c"

@@ -23,19 +23,20 @@ bool plane_vertex(const gjk2_collider *c, uint16_t number, gjk2_vec *offset);
 
 // What gjk2_collider_init and gjk2_collider_pose leave in a collider, as far as the checker needs it. Taken as given.
 /*@ predicate polygonal(gjk2_collider *c) =
-      c->shape->type->vertex == &plane_vertex && c->count >= 1 && 0 <= c->core_radius <= 0x10000000 &&
-      (\forall integer i; 0 <= i < c->count ==> in_disc(vx(c, i), vy(c, i), c->core_radius));
+      c->shape->type->vertex == &plane_vertex && c->count >= 1 &&
+      (\forall integer i; 0 <= i < c->count ==> in_disc(vx(c, i), vy(c, i), 0x10000000));
     predicate posed(gjk2_collider *c) =
       \valid_read(c) && \valid_read(c->shape) && \valid_read(c->shape->type) &&
       0 <= c->core_radius && 0 <= c->shape->convex_radius && c->core_radius + c->shape->convex_radius <= 0x10000000 &&
       (c->ordered != 0 ==> c->shape->type->vertex != \null) &&
       (c->shape->type->vertex != \null ==> polygonal(c)); */
 
-// The geometry of vertices: p = A's vertex i less B's vertex j.
-/*@ logic integer px(gjk2_collider *a, gjk2_collider *b, integer i, integer j) =
-      a->centre.x - b->centre.x + vx(a, i) - vx(b, j);
-    logic integer py(gjk2_collider *a, gjk2_collider *b, integer i, integer j) =
-      a->centre.y - b->centre.y + vy(a, i) - vy(b, j); */
+// w is the vertex (i, j) of A - B, of centres (x, y) apart. A point is in reach if it is at most 3 2^29 from the origin.
+#define REACH 0x60000000
+/*@ predicate place(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer i, integer j, integer wx, integer wy) =
+      wx == x + vx(a, i) - vx(b, j) && wy == y + vy(a, i) - vy(b, j);
+    predicate in_reach(integer x, integer y, integer wx, integer wy) = in_disc(wx, wy, REACH) &&
+      -0x20000000 <= wx - x <= 0x20000000 && -0x20000000 <= wy - y <= 0x20000000; */
 
 // Vectors.
 /*@ requires -0x80000000 <= a.x + b.x <= 0x7fffffff && -0x80000000 <= a.y + b.y <= 0x7fffffff;
@@ -109,34 +110,28 @@ bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest);
     ensures \result == 0 <==> farther(h, radius, dot(n.x, n.y, n.x, n.y)); */
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius);
 
-// The frame: a point is in reach if it is at most 3 2^29 from the origin.
-#define REACH 0x60000000
+// A search in a near frame.
 #define COLLIDER(c) (\valid_read(c) && \valid_read((c)->shape) && \valid_read((c)->shape->type) && polygonal(c))
 #define BESIDE(s, c) (\separated(s, c) && \separated(s, (c)->shape) && \separated(s, (c)->shape->type))
 #define BOTH(s) (COLLIDER(s->a) && COLLIDER(s->b))
 #define NEAR(s) (s->far == 0 && in_disc(s->delta.x, s->delta.y, 0x40000000))
 #define PAIR(s) (\valid(s) && BOTH(s) && BESIDE(s, s->a) && BESIDE(s, s->b) && NEAR(s))
+#define FRAME(s) s->a, s->b, s->delta.x, s->delta.y
 
-/*@ logic integer qx(gjk2_search *s, integer i, integer j) = s->delta.x + vx(s->a, i) - vx(s->b, j);
-    logic integer qy(gjk2_search *s, integer i, integer j) = s->delta.y + vy(s->a, i) - vy(s->b, j); */
-
-/*@ requires s->far == 0 && \valid_read(s);
-    requires -0x80000000 <= s->delta.x + offset.x <= 0x7fffffff && -0x80000000 <= s->delta.y + offset.y <= 0x7fffffff;
+/*@ requires in_disc(delta.x, delta.y, 0x40000000);
+    requires in_disc(of_a.x, of_a.y, 0x10000000) && in_disc(of_b.x, of_b.y, 0x10000000);
     assigns \nothing;
-    ensures \result.x == s->delta.x + offset.x && \result.y == s->delta.y + offset.y; */
-static gjk2_vec framed(const gjk2_search *s, gjk2_vec offset);
+    ensures \result.x == delta.x + of_a.x - of_b.x && \result.y == delta.y + of_a.y - of_b.y;
+    ensures in_reach(delta.x, delta.y, \result.x, \result.y); */
+static gjk2_vec plane_difference(gjk2_vec delta, gjk2_vec of_a, gjk2_vec of_b);
 
-/*@ requires \valid_read(s) && BOTH(s) && NEAR(s);
-    requires \valid(out) && BESIDE(out, s->a) && BESIDE(out, s->b);
-    requires \separated(out, &s->a, &s->b, &s->delta, &s->far);
+/*@ requires \valid_read(s) && BOTH(s) && NEAR(s) && \valid(out) && \separated(out, s);
     assigns *out;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 <==> a < s->a->count && b < s->b->count;
-    ensures \result == 1 ==> out->w.x == qx(s, a, b) && out->w.y == qy(s, a, b);
-    ensures \result == 1 ==> in_disc(out->w.x, out->w.y, REACH);
-    ensures \result == 1 ==> -0x20000000 <= out->w.x - s->delta.x <= 0x20000000 &&
-      -0x20000000 <= out->w.y - s->delta.y <= 0x20000000; */
-bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out);
+    ensures \result == 1 ==> a < s->a->count && b < s->b->count;
+    ensures \result == 1 ==> place(FRAME(s), a, b, out->x, out->y);
+    ensures \result == 1 ==> in_reach(s->delta.x, s->delta.y, out->x, out->y); */
+static bool plane_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vec *out);
 
 // The checker.
 #define DIRECTION(d) (-REACH <= (d).x <= REACH && -REACH <= (d).y <= REACH)
@@ -148,107 +143,220 @@ bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex
     ensures -EXTENT <= \result <= EXTENT; */
 static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d);
 
-/*@ predicate behind(gjk2_search *s, integer dx, integer dy, integer h) = \forall integer i, j;
-      0 <= i < s->a->count && 0 <= j < s->b->count ==>
-        dot(s->delta.x, s->delta.y, dx, dy) + dot(vx(s->a, i), vy(s->a, i), dx, dy) +
-        dot(vx(s->b, j), vy(s->b, j), -dx, -dy) <= h;
-    predicate all_beyond(gjk2_search *s, integer dx, integer dy, integer r) = \forall integer i, j;
-      0 <= i < s->a->count && 0 <= j < s->b->count ==> beyond(dx, dy, qx(s, i, j), qy(s, i, j), r);
-    predicate named(gjk2_search *s, gjk2_certificate *c, integer k) =
-      c->a[k] < s->a->count && c->b[k] < s->b->count && in_disc(s->slot[k].w.x, s->slot[k].w.y, REACH) &&
-      -0x20000000 <= s->slot[k].w.x - s->delta.x <= 0x20000000 && -0x20000000 <= s->slot[k].w.y - s->delta.y <= 0x20000000 &&
-      s->slot[k].w.x == qx(s, c->a[k], c->b[k]) && s->slot[k].w.y == qy(s, c->a[k], c->b[k]); */
+// What holds of each vertex of A - B; na and nb are the numbers of vertices.
+/*@ predicate behind(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb,
+        integer dx, integer dy, integer h) = \forall integer i, j; 0 <= i < na && 0 <= j < nb ==>
+      behind_one(dx, dy, x, y, vx(a, i), vy(a, i), vx(b, j), vy(b, j), h);
+    predicate all_beyond(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb,
+        integer dx, integer dy, integer r) = \forall integer i, j; 0 <= i < na && 0 <= j < nb ==>
+      beyond_one(dx, dy, x, y, vx(a, i), vy(a, i), vx(b, j), vy(b, j), r);
+    predicate named(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb,
+        integer i, integer j, integer wx, integer wy) = 0 <= i < na && 0 <= j < nb &&
+      place(a, b, x, y, i, j, wx, wy) && in_reach(x, y, wx, wy); */
+/*@ lemma all_beyond: \forall gjk2_collider *a, *b, integer x, y, na, nb, dx, dy, h, r;
+      behind(a, b, x, y, na, nb, dx, dy, h) && clear(dx, dy, h, r) ==> all_beyond(a, b, x, y, na, nb, dx, dy, r); */
+#define COUNTS(s) FRAME(s), s->a->count, s->b->count
+#define NAMED(s, c, k, w) named(COUNTS(s), c->a[k], c->b[k], (w).x, (w).y)
 
 /*@ requires \valid_read(s) && BOTH(s) && NEAR(s) && DIRECTION(d);
     assigns \nothing;
-    ensures behind(s, d.x, d.y, \result);
+    ensures behind(COUNTS(s), d.x, d.y, \result);
     ensures -0x7000000000000000 <= \result <= 0x7000000000000000; */
 static int64_t support(const gjk2_search *s, gjk2_vec d);
 
 #define CERTIFICATE(s, c) (\valid_read(c) && \separated(s, c))
+#define READS(s) (\valid_read(s) && BOTH(s) && NEAR(s))
 
-/*@ requires PAIR(s) && CERTIFICATE(s, certificate) && most <= 3;
-    assigns s->slot[0 .. 3];
+/*@ requires READS(s) && \valid_read(certificate) && most <= 3;
+    requires \valid(out + (0 .. most - 1)) && \separated(out + (0 .. most - 1), s);
+    assigns out[0 .. most - 1];
     ensures \result == 0 || \result == 1;
     ensures \result == 1 ==> 1 <= certificate->count <= most;
-    ensures \result == 1 ==> \forall integer k; 0 <= k < certificate->count ==> named(s, certificate, k); */
-static bool load_named(gjk2_search *s, const gjk2_certificate *certificate, unsigned most);
+    ensures \result == 1 ==> NAMED(s, certificate, 0, out[0]);
+    ensures \result == 1 && certificate->count > 1 ==> NAMED(s, certificate, 1, out[1]);
+    ensures \result == 1 && certificate->count > 2 ==> NAMED(s, certificate, 2, out[2]); */
+static bool load_named(const gjk2_search *s, const gjk2_certificate *certificate, unsigned most, gjk2_vec *out);
 
-/*@ requires \valid_read(p) && \valid_read(q) && in_disc(p->x, p->y, REACH) && in_disc(q->x, q->y, REACH);
-    requires -0x40000000 <= q->x - p->x <= 0x40000000 && -0x40000000 <= q->y - p->y <= 0x40000000;
+// Two vertices of A - B, in reach and at most 2^30 apart per component.
+#define SPOT(p) (\valid_read(p) && in_disc(p->x, p->y, REACH))
+#define APART(p, q) (-0x40000000 <= q->x - p->x <= 0x40000000 && -0x40000000 <= q->y - p->y <= 0x40000000)
+
+/*@ requires SPOT(p) && SPOT(q) && APART(p, q);
     assigns \nothing;
     ensures \result == 0 || \result == 1;
     ensures \result == 1 <==> foot(p->x, p->y, q->x, q->y); */
 static bool has_foot(const gjk2_vec *p, const gjk2_vec *q);
 
+#define LINE(s) line(s->d.x, s->d.y, s->base)
+
 /*@ requires PAIR(s) && CERTIFICATE(s, certificate);
-    assigns s->slot[0 .. 3], s->count, s->d, s->base;
+    assigns s->d, s->base;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> DIRECTION(s->d) && -0x4000000000000000 < s->base < 0;
-    ensures \result == 1 ==> dot(s->d.x, s->d.y, s->d.x, s->d.y) < 0x4000000000000000;
-    ensures \result == 1 ==> !farther(-s->base, REACH, dot(s->d.x, s->d.y, s->d.x, s->d.y)); */
+    ensures \result == 1 ==> LINE(s); */
 static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificate);
 
 /*@ requires PAIR(s) && CERTIFICATE(s, certificate);
-    assigns s->slot[0 .. 3], s->count, s->d, s->base;
+    assigns s->d, s->base;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> behind(s, s->d.x, s->d.y, s->base);
-    ensures \result == 1 ==> DIRECTION(s->d) && -0x4000000000000000 < s->base < 0;
-    ensures \result == 1 ==> dot(s->d.x, s->d.y, s->d.x, s->d.y) < 0x4000000000000000;
-    ensures \result == 1 ==> !farther(-s->base, REACH, dot(s->d.x, s->d.y, s->d.x, s->d.y)); */
+    ensures \result == 1 ==> LINE(s) && behind(COUNTS(s), s->d.x, s->d.y, s->base); */
 static bool plane_is_nearest(gjk2_search *s, const gjk2_certificate *certificate);
 
-/*@ requires \valid_read(p) && \valid_read(q) && in_disc(p->x, p->y, REACH) && in_disc(q->x, q->y, REACH);
+/*@ requires SPOT(p) && SPOT(q);
     assigns \nothing;
     ensures \result == 0 || \result == 1;
     ensures \result == 1 <==> on_segment(p->x, p->y, q->x, q->y); */
 static bool holds_origin(const gjk2_vec *p, const gjk2_vec *q);
 
-#define K2(c) ((c)->count > 1 ? 1 : 0)
-#define K3(c) ((c)->count > 2 ? 2 : 0)
-
-/*@ predicate enclosing(gjk2_search *s, gjk2_certificate *c) = in_triangle(qx(s, c->a[0], c->b[0]),
-      qy(s, c->a[0], c->b[0]), qx(s, c->a[K2(c)], c->b[K2(c)]), qy(s, c->a[K2(c)], c->b[K2(c)]),
-      qx(s, c->a[K3(c)], c->b[K3(c)]), qy(s, c->a[K3(c)], c->b[K3(c)]));
-    predicate near_by(gjk2_search *s, gjk2_certificate *c, integer r) = c->count == 1 ?
-      near_point(qx(s, c->a[0], c->b[0]), qy(s, c->a[0], c->b[0]), r) :
-      foot(qx(s, c->a[0], c->b[0]), qy(s, c->a[0], c->b[0]), qx(s, c->a[1], c->b[1]), qy(s, c->a[1], c->b[1])) &&
-      near_line(qx(s, c->a[0], c->b[0]), qy(s, c->a[0], c->b[0]), qx(s, c->a[1], c->b[1]), qy(s, c->a[1], c->b[1]), r);
-    predicate numbered(gjk2_search *s, gjk2_certificate *c) = 1 <= c->count <= 3 &&
-      \forall integer k; 0 <= k < c->count ==> c->a[k] < s->a->count && c->b[k] < s->b->count; */
-
-/*@ requires PAIR(s) && CERTIFICATE(s, certificate);
-    assigns s->slot[0 .. 3];
-    ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> numbered(s, certificate) && enclosing(s, certificate); */
-static bool plane_is_enclosing(gjk2_search *s, const gjk2_certificate *certificate);
-
-/*@ requires PAIR(s) && CERTIFICATE(s, certificate) && 0 <= s->radius;
-    assigns s->slot[0 .. 3];
-    ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> certificate->count <= 2 && numbered(s, certificate) && near_by(s, certificate, s->radius); */
-static bool plane_proves_near(gjk2_search *s, const gjk2_certificate *certificate);
-
-/*@ requires \valid_read(s) && BOTH(s) && NEAR(s) && \valid_read(direction) && 0 <= radius;
+/*@ requires SPOT(p) && SPOT(q) && SPOT(r);
     assigns \nothing;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> all_beyond(s, direction->x, direction->y, radius); */
+    ensures \result == 1 <==> in_triangle(p->x, p->y, q->x, q->y, r->x, r->y); */
+static bool triangle_holds_origin(const gjk2_vec *p, const gjk2_vec *q, const gjk2_vec *r);
+
+// The named vertices, of which the last stands for those that are not named.
+/*@ predicate enclosing(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb) =
+      \exists integer i, j, k, l, m, n, px, py, qx, qy, rx, ry; named(a, b, x, y, na, nb, i, j, px, py) &&
+        named(a, b, x, y, na, nb, k, l, qx, qy) && named(a, b, x, y, na, nb, m, n, rx, ry) &&
+        in_triangle(px, py, qx, qy, rx, ry);
+    predicate near_vertex(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r) =
+      \exists integer i, j, px, py; named(a, b, x, y, na, nb, i, j, px, py) && near_point(px, py, r);
+    predicate near_edge(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r) =
+      \exists integer i, j, k, l, px, py, qx, qy; named(a, b, x, y, na, nb, i, j, px, py) &&
+        named(a, b, x, y, na, nb, k, l, qx, qy) && foot(px, py, qx, qy) && near_line(px, py, qx, qy, r); */
+
+/*@ requires READS(s) && \valid_read(certificate);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> enclosing(COUNTS(s)); */
+static bool plane_is_enclosing(const gjk2_search *s, const gjk2_certificate *certificate);
+
+/*@ requires SPOT(p) && SPOT(q) && APART(p, q) && 0 <= radius;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> foot(p->x, p->y, q->x, q->y) && near_line(p->x, p->y, q->x, q->y, radius); */
+static bool edge_is_near(const gjk2_vec *p, const gjk2_vec *q, int32_t radius);
+
+/*@ requires SPOT(p) && 0 <= radius;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> near_point(p->x, p->y, radius); */
+static bool vertex_is_near(const gjk2_vec *p, int32_t radius);
+
+/*@ requires READS(s) && \valid_read(certificate) && 0 <= s->radius;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> near_vertex(COUNTS(s), s->radius) || near_edge(COUNTS(s), s->radius); */
+static bool plane_proves_near(const gjk2_search *s, const gjk2_certificate *certificate);
+
+/*@ requires -0x4000000000000000 < height && dot(d.x, d.y, d.x, d.y) < 0x4000000000000000 && 0 <= radius;
+    requires -0x80000000 < d.x && -0x80000000 < d.y;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> clear(d.x, d.y, height, radius); */
+static bool line_is_clear(gjk2_vec d, int64_t height, int32_t radius);
+
+/*@ requires READS(s) && \valid_read(direction) && 0 <= radius;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> all_beyond(COUNTS(s), direction->x, direction->y, radius); */
 static bool direction_separates(const gjk2_search *s, const gjk2_vec *direction, int64_t radius);
+
+/*@ predicate separated_by(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r) =
+      \exists integer dx, dy; all_beyond(a, b, x, y, na, nb, dx, dy, r); */
 
 /*@ requires PAIR(s) && CERTIFICATE(s, certificate) && 0 <= radius;
     requires s->radius == (radius < REACH ? radius : REACH);
-    assigns s->slot[0 .. 3], s->count, s->d, s->base;
+    assigns s->d, s->base;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 && certificate->proof == GJK2_PROOF_DIRECTION ==>
-      all_beyond(s, certificate->direction.x, certificate->direction.y, radius);
-    ensures \result == 1 && certificate->proof != GJK2_PROOF_DIRECTION ==> all_beyond(s, s->d.x, s->d.y, radius); */
+    ensures \result == 1 ==> separated_by(COUNTS(s), radius); */
 static bool plane_is_apart(gjk2_search *s, const gjk2_certificate *certificate, int64_t radius);
 
-/*@ requires PAIR(s) && CERTIFICATE(s, certificate) && 0 <= s->radius;
-    assigns s->slot[0 .. 3];
+/*@ requires READS(s) && \valid_read(certificate) && 0 <= s->radius;
+    assigns \nothing;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> numbered(s, certificate) &&
-      (enclosing(s, certificate) || (certificate->count <= 2 && near_by(s, certificate, s->radius))); */
-static bool plane_is_together(gjk2_search *s, const gjk2_certificate *certificate);
+    ensures \result == 1 ==> enclosing(COUNTS(s)) || near_vertex(COUNTS(s), s->radius) || near_edge(COUNTS(s), s->radius); */
+static bool plane_is_together(const gjk2_search *s, const gjk2_certificate *certificate);
+
+// The frame.
+/*@ requires \valid_read(shape) && \valid_read(shape->type);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 0 ==> shape->type->vertex != \null; */
+static inline bool gjk2_is_curved(const gjk2_shape *shape);
+
+/*@ requires \valid_read(a) && \valid_read(b);
+    assigns \nothing;
+    ensures \result == GJK_OK || \result == GJK_ERROR_NULL || \result == GJK_ERROR_UNINITIALISED; */
+static inline gjk_status gjk2_check_pair(const gjk2_collider *a, const gjk2_collider *b, const void *out);
+
+/*@ requires \valid(s);
+    assigns s->d.x; */
+static inline void gjk2_search_need_direction(gjk2_search *s);
+
+/*@ requires \valid_read(s);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> s->far == 0 && s->curved == 0; */
+static inline bool gjk2_search_is_exact(const gjk2_search *s);
+
+/*@ requires \valid_read(a) && \valid_read(b);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> close_centres(a->centre.x - b->centre.x, a->centre.y - b->centre.y); */
+static inline bool gjk2_frame_is_near(const gjk2_collider *a, const gjk2_collider *b);
+
+/*@ requires n <= 3;
+    assigns \nothing;
+    ensures n == 0 ==> \result == x;
+    ensures 0 <= x ==> 0 <= \result <= x;
+    ensures 0 <= x && n >= 1 ==> 2 * \result <= x;
+    ensures 0 <= x && n >= 3 ==> 8 * \result <= x; */
+static int64_t shift_far(int64_t x, unsigned n);
+
+/*@ requires 0 <= x <= 0x100000000 && 0 <= y <= 0x100000000 && far <= 3;
+    requires far == 0 ==> x <= 0x80000000 && y <= 0x80000000;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures far == 0 && \result == 0 ==> in_disc(x, y, 0x40000000);
+    ensures far == 3 ==> \result == 0; */
+static bool is_long(int64_t x, int64_t y, unsigned far);
+
+#define APART_X(a, b) (a->centre.x - b->centre.x)
+#define APART_Y(a, b) (a->centre.y - b->centre.y)
+#define CIRCLES(a, b, radius) circles_apart(APART_X(a, b), APART_Y(a, b), a->core_radius + b->core_radius + radius)
+#define RADII(a, b) (a->shape->convex_radius + b->shape->convex_radius)
+#define RADIUS(r) ((r) < REACH ? (r) : REACH)
+#define FRAMED(s, a, b, radius) (s->delta.x == APART_X(a, b) && s->delta.y == APART_Y(a, b) && \
+  in_disc(s->delta.x, s->delta.y, 0x40000000) && s->radius == RADIUS(radius))
+
+/*@ requires \valid(s) && posed(s->a) && posed(s->b) && BESIDE(s, s->a) && BESIDE(s, s->b);
+    assigns s->far, s->radius, s->delta;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 0 ==> circles != 0 && CIRCLES(s->a, s->b, radius);
+    ensures \result == 1 && s->far == 0 ==> FRAMED(s, s->a, s->b, radius); */
+static bool start_far(gjk2_search *s, bool circles, uint32_t radius);
+
+/*@ requires \valid(s) && posed(a) && posed(b) && BESIDE(s, a) && BESIDE(s, b);
+    assigns *s;
+    ensures \result == 0 || \result == 1;
+    ensures circles: \result == 0 ==> circles != 0 && CIRCLES(a, b, radius);
+    ensures \result == 1 ==> s->a == a && s->b == b;
+    ensures framed: \result == 1 && s->far == 0 ==> FRAMED(s, a, b, radius);
+    ensures \result == 1 && s->curved == 0 ==> a->shape->type->vertex != \null && b->shape->type->vertex != \null; */
+bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius);
+
+#define TOGETHER(a, b, r) (enclosing(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count) || \
+  near_vertex(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, r) || \
+  near_edge(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, r))
+
+// What a checked decision means for the vertices; hull.v goes on from there.
+/*@ requires posed(a) && posed(b) && \valid_read(decision);
+    assigns \nothing;
+    ensures no: \result == GJK_OK && decision->yes == 0 ==> CIRCLES(a, b, RADII(a, b) + distance) ||
+      separated_by(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, RADII(a, b) + distance);
+    ensures yes: \result == GJK_OK && decision->yes != 0 ==> TOGETHER(a, b, RADIUS(RADII(a, b) + distance));
+    ensures \result == GJK_OK ==> 0 <= distance; */
+gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance,
+                               const gjk2_decision *decision);
 
 #endif

@@ -1,0 +1,489 @@
+(* From vertices to all points: what the contracts of plane.h say of the vertices of two polygons decides about every
+   point of the two shapes. The definitions over Z are those of geometry.h and plane.h, name by name. *)
+Require Import Reals Lra Psatz ZArith.
+
+Section Vertices.
+
+(* Vertex i of A is (ax i, ay i) relative to A's centre, one of na; those of B likewise. (x, y) is A's centre less B's. *)
+Variables (na nb : nat) (ax ay bx bl : nat -> Z) (x y : Z).
+
+Open Scope Z_scope.
+
+Definition dot (x y u v : Z) := x * u + y * v.
+Definition cross (x y u v : Z) := x * v - y * u.
+Definition near_point (x y r : Z) := x * x + y * y <= r * r.
+Definition foot (x y u v : Z) := dot x y (u - x) (v - y) < 0 /\ dot u v (u - x) (v - y) > 0.
+Definition near_line (x y u v r : Z) :=
+  cross x y u v * cross x y u v <= r * r * dot (u - x) (v - y) (u - x) (v - y).
+Definition on_segment (x y u v : Z) := cross x y u v = 0 /\ dot x y u v <= 0.
+Definition in_triangle (x y u v s t : Z) :=
+  on_segment x y u v \/ on_segment u v s t \/ on_segment s t x y \/
+  (cross x y u v > 0 /\ cross u v s t > 0 /\ cross s t x y > 0) \/
+  (cross x y u v < 0 /\ cross u v s t < 0 /\ cross s t x y < 0).
+Definition farther (s r square : Z) := s * s > r * r * square.
+Definition beyond (dx dy x y r : Z) := dot dx dy x y < 0 /\ farther (- dot dx dy x y) r (dot dx dy dx dy).
+
+Definition named (i j : nat) (wx wy : Z) :=
+  (i < na)%nat /\ (j < nb)%nat /\ wx = x + ax i - bx j /\ wy = y + ay i - bl j.
+Definition separated_by (r : Z) := exists dx dy, forall i j, (i < na)%nat -> (j < nb)%nat ->
+  beyond dx dy (x + ax i - bx j) (y + ay i - bl j) r.
+Definition enclosing := exists i j k l m n px py qx qy rx ry,
+  named i j px py /\ named k l qx qy /\ named m n rx ry /\ in_triangle px py qx qy rx ry.
+Definition near_vertex (r : Z) := exists i j px py, named i j px py /\ near_point px py r.
+Definition near_edge (r : Z) := exists i j k l px py qx qy,
+  named i j px py /\ named k l qx qy /\ foot px py qx qy /\ near_line px py qx qy r.
+Definition behind (dx dy h : Z) := forall i j, (i < na)%nat -> (j < nb)%nat ->
+  dot x y dx dy + dot (ax i) (ay i) dx dy + dot (bx j) (bl j) (- dx) (- dy) <= h.
+Definition clear (dx dy h r : Z) := h < 0 /\ farther (- h) r (dot dx dy dx dy).
+Definition of_vertex (dx dy h : Z) := exists i j px py, named i j px py /\
+  dx = - px /\ dy = - py /\ h = - dot px py px py.
+Definition of_edge (dx dy h : Z) := exists i j k l px py qx qy, named i j px py /\ named k l qx qy /\
+  foot px py qx qy /\ dx = qy - py /\ dy = - (qx - px) /\ h = cross px py qx qy.
+Definition rounded (h square n : Z) :=
+  (n = 0 \/ 4 * h * h >= (2 * n - 1) * (2 * n - 1) * square) /\ 4 * h * h < (2 * n + 1) * (2 * n + 1) * square.
+Definition measured (r distance : Z) := exists dx dy h, behind dx dy h /\
+  (of_vertex dx dy h \/ of_edge dx dy h) /\ clear dx dy h r /\ rounded (- h) (dot dx dy dx dy) (distance + r).
+
+Open Scope R_scope.
+
+(* The sum of f 0 to f (n - 1). A point of a hull is a mean of vertices with weights. *)
+Fixpoint sum (n : nat) (f : nat -> R) := match n with O => 0 | S m => sum m f + f m end.
+Definition in_hull (n : nat) (vx vy : nat -> Z) (u v : R) := exists w : nat -> R,
+  (forall i, (i < n)%nat -> 0 <= w i) /\ sum n w = 1 /\
+  u = sum n (fun i => w i * IZR (vx i)) /\ v = sum n (fun i => w i * IZR (vy i)).
+(* A shape: all points within a radius of its hull. *)
+Definition in_shape (n : nat) (vx vy : nat -> Z) (cx cy r u v : R) := exists s t,
+  in_hull n vx vy s t /\ (u - cx - s) * (u - cx - s) + (v - cy - t) * (v - cy - t) <= r * r.
+Definition square_apart (u v s t : R) := (u - s) * (u - s) + (v - t) * (v - t).
+
+Lemma sum_ext n f g : (forall i, (i < n)%nat -> f i = g i) -> sum n f = sum n g.
+Proof. induction n; simpl; intros H; [lra | rewrite IHn, H; auto with arith]. Qed.
+
+Lemma sum_combine n a b c f g h :
+  sum n (fun i => a * f i + b * g i + c * h i) = a * sum n f + b * sum n g + c * sum n h.
+Proof. induction n; simpl; [lra | rewrite IHn; lra]. Qed.
+
+Lemma mean_below n w f c : (forall i, (i < n)%nat -> 0 <= w i) -> (forall i, (i < n)%nat -> f i < c) ->
+  sum n (fun i => w i * f i) <= c * sum n w /\ (0 < sum n w -> sum n (fun i => w i * f i) < c * sum n w).
+Proof.
+  intros W F. induction n; simpl; [lra |].
+  destruct IHn as [A B]; auto with arith.
+  assert (0 <= w n) by auto with arith. assert (f n < c) by auto with arith.
+  assert (w n * f n <= w n * c) by nra. split; [lra |].
+  intros P. destruct (Rtotal_order 0 (sum n w)) as [L | [E | G]].
+  - specialize (B L). nra.
+  - assert (0 < w n) by lra. nra.
+  - assert (0 <= sum n w); [| lra].
+    clear - W. induction n; simpl; [lra |]. assert (0 <= w n) by auto with arith.
+    assert (0 <= sum n w) by (apply IHn; auto with arith). lra.
+Qed.
+
+(* A functional that is below c at every vertex is below c at every point. *)
+Lemma hull_below n vx vy u v dx dy c : in_hull n vx vy u v ->
+  (forall i, (i < n)%nat -> dx * IZR (vx i) + dy * IZR (vy i) < c) -> dx * u + dy * v < c.
+Proof.
+  intros (w & W & One & -> & ->) F.
+  destruct (mean_below n w (fun i => dx * IZR (vx i) + dy * IZR (vy i)) c W F) as [_ B].
+  rewrite One in B. specialize (B ltac:(lra)).
+  rewrite (sum_ext n _ (fun i => dx * (w i * IZR (vx i)) + dy * (w i * IZR (vy i)) + 0 * w i)) in B
+    by (intros; lra).
+  rewrite sum_combine in B. lra.
+Qed.
+
+Lemma hull_mean n vx vy a b c p q r s t u : 0 <= a -> 0 <= b -> 0 <= c -> a + b + c = 1 ->
+  in_hull n vx vy p q -> in_hull n vx vy r s -> in_hull n vx vy t u ->
+  in_hull n vx vy (a * p + b * r + c * t) (a * q + b * s + c * u).
+Proof.
+  intros A B C One (w1 & W1 & O1 & -> & ->) (w2 & W2 & O2 & -> & ->) (w3 & W3 & O3 & -> & ->).
+  exists (fun i => a * w1 i + b * w2 i + c * w3 i). repeat split.
+  - intros i I. specialize (W1 i I). specialize (W2 i I). specialize (W3 i I). nra.
+  - rewrite sum_combine. rewrite O1, O2, O3. lra.
+  - rewrite <- sum_combine. apply sum_ext. intros. lra.
+  - rewrite <- sum_combine. apply sum_ext. intros. lra.
+Qed.
+
+Lemma sum_single n k f : (k < n)%nat -> sum n (fun i => (if Nat.eqb i k then 1 else 0) * f i) = f k.
+Proof.
+  assert (Z : forall m, (m <= k)%nat -> sum m (fun i => (if Nat.eqb i k then 1 else 0) * f i) = 0).
+  { induction m; simpl; intros; [lra |]. rewrite IHm by lia.
+    replace (Nat.eqb m k) with false by (symmetry; apply Nat.eqb_neq; lia). lra. }
+  induction n; simpl; intros L; [lia |]. destruct (Nat.eq_dec n k) as [-> | N].
+  - rewrite Z, Nat.eqb_refl by lia. lra.
+  - rewrite IHn by lia. replace (Nat.eqb n k) with false by (symmetry; apply Nat.eqb_neq; lia). lra.
+Qed.
+
+Lemma hull_vertex n vx vy k : (k < n)%nat -> in_hull n vx vy (IZR (vx k)) (IZR (vy k)).
+Proof.
+  intros L. exists (fun i => if Nat.eqb i k then 1 else 0). repeat split.
+  - intros. destruct (Nat.eqb i k); lra.
+  - rewrite (sum_ext n _ (fun i => (if Nat.eqb i k then 1 else 0) * 1)) by (intros; lra).
+    apply (sum_single n k (fun _ => 1) L).
+  - symmetry. apply (sum_single n k (fun i => IZR (vx i)) L).
+  - symmetry. apply (sum_single n k (fun i => IZR (vy i)) L).
+Qed.
+
+(* A vector of length l at most r long along another. *)
+Lemma cauchy l r dx dy u v : 0 <= l -> 0 <= r -> dx * dx + dy * dy = l * l -> u * u + v * v <= r * r ->
+  dx * u + dy * v <= l * r.
+Proof.
+  intros L R D E. destruct (Rle_lt_dec (dx * u + dy * v) (l * r)) as [| G]; [assumption | exfalso].
+  assert (0 <= l * r) by (apply Rmult_le_pos; assumption).
+  assert (A : (l * r) * (l * r) < (dx * u + dy * v) * (dx * u + dy * v)) by (apply Rmult_le_0_lt_compat; assumption).
+  assert (B : (dx * u + dy * v) * (dx * u + dy * v) <= (dx * dx + dy * dy) * (u * u + v * v)).
+  { pose proof (Rle_0_sqr (dx * v - dy * u)) as S. unfold Rsqr in S. lra. }
+  rewrite D in B. assert (C : (l * l) * (u * u + v * v) <= (l * l) * (r * r))
+    by (apply Rmult_le_compat_l; [apply Rle_0_sqr | exact E]).
+  lra.
+Qed.
+
+Variables (ra rb d : Z) (cx cy : Z).  (* both convex radii, the distance asked about, and the centre of B *)
+Hypothesis radii : (0 <= ra /\ 0 <= rb /\ 0 <= d)%Z.
+
+Definition in_a := in_shape na ax ay (IZR (cx + x)) (IZR (cy + y)) (IZR ra).
+Definition in_b := in_shape nb bx bl (IZR cx) (IZR cy) (IZR rb).
+
+(* `no`: every point of A is more than the distance away from every point of B. *)
+Theorem apart : separated_by (ra + rb + d) -> forall u v s t, in_a u v -> in_b s t ->
+  square_apart u v s t > IZR d * IZR d.
+Proof.
+  intros (dx & dy & H) u v s t (p & q & P & E) (p' & q' & P' & E').
+  destruct radii as (RA & RB & D). apply IZR_le in RA, RB, D.
+  set (l := sqrt (IZR dx * IZR dx + IZR dy * IZR dy)).
+  assert (L : 0 <= l) by apply sqrt_pos.
+  assert (LL : IZR dx * IZR dx + IZR dy * IZR dy = l * l) by (symmetry; apply sqrt_sqrt; nra).
+  assert (V : forall i j, (i < na)%nat -> (j < nb)%nat ->
+    IZR dx * IZR (ax i) + IZR dy * IZR (ay i) <
+    - (IZR (ra + rb + d) * l) - IZR dx * IZR x - IZR dy * IZR y + IZR dx * IZR (bx j) + IZR dy * IZR (bl j)).
+  { intros i j I J. destruct (H i j I J) as [B F]. unfold farther, dot in *.
+    apply IZR_lt in B. apply Z.gt_lt, IZR_lt in F.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in *. rewrite LL in F.
+    set (h := IZR dx * (IZR x + IZR (ax i) - IZR (bx j)) + IZR dy * (IZR y + IZR (ay i) - IZR (bl j))) in *.
+    set (r := IZR ra + IZR rb + IZR d) in *.
+    assert (r * l < - h); [| unfold h in *; lra].
+    destruct (Rlt_le_dec (r * l) (- h)) as [| G]; [assumption |].
+    assert (- h * - h <= (r * l) * (r * l)) by nra. nra. }
+  assert (V' : forall j, (j < nb)%nat -> - IZR dx * IZR (bx j) + - IZR dy * IZR (bl j) <
+    - (IZR (ra + rb + d) * l) - IZR dx * IZR x - IZR dy * IZR y - IZR dx * p - IZR dy * q).
+  { intros j J. pose proof (hull_below na ax ay p q _ _ _ P (fun i I => V i j I J)). lra. }
+  pose proof (hull_below nb bx bl p' q' _ _ _ P' V') as W.
+  rewrite !plus_IZR in *.
+  pose proof (cauchy l (IZR ra) (IZR dx) (IZR dy) _ _ L RA LL E) as A.
+  assert (E2 : (- (s - IZR cx - p')) * (- (s - IZR cx - p')) + (- (t - IZR cy - q')) * (- (t - IZR cy - q')) <=
+    IZR rb * IZR rb) by nra.
+  pose proof (cauchy l (IZR rb) (IZR dx) (IZR dy) _ _ L RB LL E2) as B.
+  unfold square_apart. apply Rnot_le_gt. intros C.
+  assert (C2 : (- (u - s)) * (- (u - s)) + (- (v - t)) * (- (v - t)) <= IZR d * IZR d) by nra.
+  pose proof (cauchy l (IZR d) (IZR dx) (IZR dy) _ _ L D LL C2). nra.
+Qed.
+
+(* A point of A - B, without the radii. *)
+Definition in_difference (u v : R) := exists p q s t, in_hull na ax ay p q /\ in_hull nb bx bl s t /\
+  u = IZR x + p - s /\ v = IZR y + q - t.
+
+Lemma named_in i j px py : named i j px py -> in_difference (IZR px) (IZR py).
+Proof.
+  intros (I & J & -> & ->). exists (IZR (ax i)), (IZR (ay i)), (IZR (bx j)), (IZR (bl j)).
+  rewrite !minus_IZR, !plus_IZR. repeat split; auto using hull_vertex.
+Qed.
+
+Lemma difference_mean a b c p q r s t u : 0 <= a -> 0 <= b -> 0 <= c -> a + b + c = 1 ->
+  in_difference p q -> in_difference r s -> in_difference t u ->
+  in_difference (a * p + b * r + c * t) (a * q + b * s + c * u).
+Proof.
+  intros A B C One (p1 & q1 & s1 & t1 & H1 & G1 & -> & ->) (p2 & q2 & s2 & t2 & H2 & G2 & -> & ->)
+    (p3 & q3 & s3 & t3 & H3 & G3 & -> & ->).
+  exists (a * p1 + b * p2 + c * p3), (a * q1 + b * q2 + c * q3), (a * s1 + b * s2 + c * s3), (a * t1 + b * t2 + c * t3).
+  split; [apply hull_mean; assumption |]. split; [apply hull_mean; assumption |].
+  replace c with (1 - a - b) by lra. split; ring.
+Qed.
+
+Definition touch := exists u v s t, in_a u v /\ in_b s t /\ square_apart u v s t <= IZR d * IZR d.
+
+Lemma difference_near u v r : (0 <= r <= ra + rb + d)%Z -> in_difference u v -> u * u + v * v <= IZR r * IZR r -> touch.
+Proof.
+  intros (R0 & R1) (p & q & s & t & P & Q & U & V) N.
+  destruct radii as (RA & RB & D). apply IZR_le in RA, RB, D, R0, R1. rewrite !plus_IZR in R1.
+  set (m := IZR ra + IZR rb + IZR d) in *.
+  assert (M : u * u + v * v <= m * m) by nra.
+  destruct (Req_dec m 0) as [Z | NZ].
+  - assert (U0 : u * u + v * v = 0) by
+      (pose proof (Rle_0_sqr u); pose proof (Rle_0_sqr v); unfold Rsqr in *; rewrite Z in M; lra).
+    assert (u = 0) by (apply Rplus_sqr_eq_0_l with v; exact U0).
+    assert (v = 0) by (apply Rplus_sqr_eq_0_l with u; rewrite Rplus_comm; exact U0).
+    exists (IZR (cx + x) + p), (IZR (cy + y) + q), (IZR cx + s), (IZR cy + t).
+    split; [exists p, q; split; [exact P | nra] |]. split; [exists s, t; split; [exact Q | nra] |].
+    unfold square_apart. rewrite !plus_IZR.
+    replace (IZR cx + IZR x + p - (IZR cx + s)) with u by lra.
+    replace (IZR cy + IZR y + q - (IZR cy + t)) with v by lra. nra.
+  - assert (0 < m) by (unfold m in *; lra). set (k := / m). assert (K : k * m = 1) by (apply Rinv_l; exact NZ).
+    assert (0 < k) by (apply Rinv_0_lt_compat; assumption).
+    assert (S : (k * u) * (k * u) + (k * v) * (k * v) <= 1).
+    { replace ((k * u) * (k * u) + (k * v) * (k * v)) with ((k * k) * (u * u + v * v)) by ring.
+      replace 1 with ((k * k) * (m * m)) by (replace ((k * k) * (m * m)) with ((k * m) * (k * m)) by ring; rewrite K; ring).
+      apply Rmult_le_compat_l; [apply Rle_0_sqr | exact M]. }
+    assert (scaled : forall e, 0 <= e -> (e * (k * u)) * (e * (k * u)) + (e * (k * v)) * (e * (k * v)) <= e * e).
+    { intros e G. replace ((e * (k * u)) * (e * (k * u)) + (e * (k * v)) * (e * (k * v)))
+        with ((e * e) * ((k * u) * (k * u) + (k * v) * (k * v))) by ring.
+      rewrite <- (Rmult_1_r (e * e)) at 2. apply Rmult_le_compat_l; [apply Rle_0_sqr | exact S]. }
+    exists (IZR (cx + x) + p - IZR ra * (k * u)), (IZR (cy + y) + q - IZR ra * (k * v)),
+      (IZR cx + s + IZR rb * (k * u)), (IZR cy + t + IZR rb * (k * v)).
+    split; [exists p, q; split; [exact P | pose proof (scaled _ RA); lra] |].
+    split; [exists s, t; split; [exact Q | pose proof (scaled _ RB); lra] |].
+    unfold square_apart. rewrite !plus_IZR.
+    replace (IZR cx + IZR x + p - IZR ra * (k * u) - (IZR cx + s + IZR rb * (k * u))) with (IZR d * (k * u)).
+    2: { assert (u = k * m * u) by (rewrite K; lra). unfold m in *. lra. }
+    replace (IZR cy + IZR y + q - IZR ra * (k * v) - (IZR cy + t + IZR rb * (k * v))) with (IZR d * (k * v)).
+    2: { assert (v = k * m * v) by (rewrite K; lra). unfold m in *. lra. }
+    apply scaled. exact D.
+Qed.
+
+(* A point between two named vertices. *)
+Lemma between_near p q u v r k : (0 <= r <= ra + rb + d)%Z -> in_difference p q -> in_difference u v -> 0 <= k <= 1 ->
+  (p + k * (u - p)) * (p + k * (u - p)) + (q + k * (v - q)) * (q + k * (v - q)) <= IZR r * IZR r -> touch.
+Proof.
+  intros R P U K N. apply (difference_near ((1 - k) * p + k * u + 0 * u) ((1 - k) * q + k * v + 0 * v) r R).
+  - apply difference_mean; auto; lra.
+  - replace ((1 - k) * p + k * u + 0 * u) with (p + k * (u - p)) by ring.
+    replace ((1 - k) * q + k * v + 0 * v) with (q + k * (v - q)) by ring. exact N.
+Qed.
+
+Lemma segment_near p q u v : in_difference p q -> in_difference u v ->
+  p * v - q * u = 0 -> p * u + q * v <= 0 -> touch.
+Proof.
+  intros P U C D. set (e := (u - p) * (u - p) + (v - q) * (v - q)).
+  assert (Z : (0 <= 0 <= ra + rb + d)%Z) by lia.
+  destruct (Req_dec e 0) as [E | E].
+  - assert (u - p = 0) by (apply Rplus_sqr_eq_0_l with (v - q); exact E).
+    assert (v - q = 0) by (apply Rplus_sqr_eq_0_l with (u - p); rewrite Rplus_comm; exact E).
+    replace u with p in * by lra. replace v with q in * by lra.
+    apply (between_near p q p q 0 0 Z P P); lra.
+  - assert (0 < e) by (pose proof (Rle_0_sqr (u - p)); pose proof (Rle_0_sqr (v - q)); unfold Rsqr, e in *; lra).
+    set (k := (p * p + q * q - (p * u + q * v)) / e).
+    assert (K : k * e = p * p + q * q - (p * u + q * v)) by (unfold k; field; exact E).
+    assert (0 <= k <= 1) by (split; unfold e in *; nra).
+    apply (between_near p q u v 0 k Z P U); [assumption |].
+    assert (A : e * (p + k * (u - p)) = 0).
+    { replace (e * (p + k * (u - p))) with (e * p + (k * e) * (u - p)) by ring. rewrite K. unfold e.
+      replace (((u - p) * (u - p) + (v - q) * (v - q)) * p + (p * p + q * q - (p * u + q * v)) * (u - p))
+        with ((p * v - q * u) * (v - q)) by ring. rewrite C. ring. }
+    assert (B : e * (q + k * (v - q)) = 0).
+    { replace (e * (q + k * (v - q))) with (e * q + (k * e) * (v - q)) by ring. rewrite K. unfold e.
+      replace (((u - p) * (u - p) + (v - q) * (v - q)) * q + (p * p + q * q - (p * u + q * v)) * (v - q))
+        with (- (p * v - q * u) * (u - p)) by ring. rewrite C. ring. }
+    apply Rmult_integral in A, B. destruct A as [A | A]; [lra |]. destruct B as [B | B]; [lra |].
+    rewrite A, B. lra.
+Qed.
+
+Lemma triangle_near p q u v s t : in_difference p q -> in_difference u v -> in_difference s t ->
+  0 < p * v - q * u -> 0 < u * t - v * s -> 0 < s * q - t * p -> touch.
+Proof.
+  intros P U S A B C. set (m := p * v - q * u + (u * t - v * s) + (s * q - t * p)).
+  assert (M : 0 < m) by (unfold m; lra). set (k := / m).
+  assert (K : k * m = 1) by (apply Rinv_l; lra). assert (0 < k) by (apply Rinv_0_lt_compat; exact M).
+  assert (Z : (0 <= 0 <= ra + rb + d)%Z) by lia.
+  apply (difference_near (k * (u * t - v * s) * p + k * (s * q - t * p) * u + k * (p * v - q * u) * s)
+    (k * (u * t - v * s) * q + k * (s * q - t * p) * v + k * (p * v - q * u) * t) 0 Z).
+  - apply difference_mean; auto; try nra. rewrite <- K. unfold m. ring.
+  - replace (k * (u * t - v * s) * p + k * (s * q - t * p) * u + k * (p * v - q * u) * s) with 0 by ring.
+    replace (k * (u * t - v * s) * q + k * (s * q - t * p) * v + k * (p * v - q * u) * t) with 0 by ring. lra.
+Qed.
+
+(* `yes`: some points of A and of B are at most the distance apart. r is what the checker makes of the radius. *)
+Theorem together r : (0 <= r <= ra + rb + d)%Z -> enclosing \/ near_vertex r \/ near_edge r -> touch.
+Proof.
+  intros R [H | [H | H]].
+  - destruct H as (i & j & k & l & m & n & px & py & qx & qy & rx & ry & P & Q & S & T).
+    apply named_in in P, Q, S.
+    assert (segment : forall u v s t, in_difference (IZR u) (IZR v) -> in_difference (IZR s) (IZR t) ->
+      on_segment u v s t -> touch).
+    { intros u v s t U V (C & D). apply (segment_near (IZR u) (IZR v) (IZR s) (IZR t) U V).
+      - rewrite <- !mult_IZR, <- minus_IZR. apply (f_equal IZR) in C. exact C.
+      - rewrite <- !mult_IZR, <- plus_IZR. apply IZR_le in D. exact D. }
+    destruct T as [T | [T | [T | [(A & B & C) | (A & B & C)]]]]; eauto.
+    + unfold cross in *. apply Z.gt_lt, IZR_lt in A, B, C. rewrite !minus_IZR, !mult_IZR in *.
+      apply (triangle_near _ _ _ _ _ _ P Q S); lra.
+    + unfold cross in *. apply IZR_lt in A, B, C. rewrite !minus_IZR, !mult_IZR in *.
+      apply (triangle_near _ _ _ _ _ _ P S Q); lra.
+  - destruct H as (i & j & px & py & P & N). apply named_in in P.
+    apply (difference_near _ _ r R P). unfold near_point in N. apply IZR_le in N.
+    rewrite plus_IZR, !mult_IZR in N. exact N.
+  - destruct H as (i & j & k & l & px & py & qx & qy & P & Q & (F & G) & N). apply named_in in P, Q.
+    unfold near_line, dot, cross in *. apply IZR_le in N. apply IZR_lt in F. apply Z.gt_lt, IZR_lt in G.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in *.
+    set (p := IZR px) in *. set (q := IZR py) in *. set (u := IZR qx) in *. set (v := IZR qy) in *.
+    set (e := (u - p) * (u - p) + (v - q) * (v - q)) in *. set (f := p * (u - p) + q * (v - q)) in *.
+    assert (E : 0 < e) by (unfold e, f in *; lra).
+    set (h := - f / e). assert (K : h * e = - f) by (unfold h; field; lra).
+    assert (0 <= h <= 1) by (split; unfold e, f in *; nra).
+    apply (between_near p q u v r h R P Q); [assumption |].
+    apply Rmult_le_reg_l with (r := e); [exact E |].
+    replace (e * ((p + h * (u - p)) * (p + h * (u - p)) + (q + h * (v - q)) * (q + h * (v - q))))
+      with (e * (p * p + q * q) + 2 * (h * e) * f + (h * e) * (h * e)) by (unfold e, f; ring).
+    rewrite K.
+    replace (e * (p * p + q * q) + 2 * - f * f + - f * - f) with ((p * v - q * u) * (p * v - q * u))
+      by (unfold e, f; ring). lra.
+Qed.
+
+(* The circles: no vertex is farther than its core's radius from its centre. *)
+Theorem circles_apart (ca cb : Z) : (0 <= ca /\ 0 <= cb)%Z ->
+  (forall i, (i < na)%nat -> ax i * ax i + ay i * ay i <= ca * ca)%Z ->
+  (forall j, (j < nb)%nat -> bx j * bx j + bl j * bl j <= cb * cb)%Z ->
+  (x * x + y * y > (ca + cb + (ra + rb + d)) * (ca + cb + (ra + rb + d)))%Z ->
+  forall u v s t, in_a u v -> in_b s t -> square_apart u v s t > IZR d * IZR d.
+Proof.
+  intros (CA & CB) HA HB F u v s t (p & q & P & E) (p' & q' & P' & E').
+  destruct radii as (RA & RB & D). apply IZR_le in CA, CB, RA, RB, D. apply Z.gt_lt, IZR_lt in F.
+  repeat rewrite ?mult_IZR, ?plus_IZR in F.
+  set (l := sqrt (IZR x * IZR x + IZR y * IZR y)).
+  assert (L : 0 <= l) by apply sqrt_pos.
+  assert (LL : IZR x * IZR x + IZR y * IZR y = l * l) by (symmetry; apply sqrt_sqrt; nra).
+  set (m := IZR ca + IZR cb + (IZR ra + IZR rb + IZR d)) in *.
+  assert (M : m < l) by nra.
+  assert (l0 : 0 < l) by (unfold m in *; lra).
+  assert (VA : forall k, (k < na)%nat ->
+    - IZR x * IZR (ax k) + - IZR y * IZR (ay k) <= l * IZR ca).
+  { intros k K. specialize (HA k K). apply IZR_le in HA. repeat rewrite ?mult_IZR, ?plus_IZR in HA.
+    apply cauchy; auto. rewrite <- LL. ring. }
+  assert (VB : forall k, (k < nb)%nat -> IZR x * IZR (bx k) + IZR y * IZR (bl k) <= l * IZR cb).
+  { intros k K. specialize (HB k K). apply IZR_le in HB. repeat rewrite ?mult_IZR, ?plus_IZR in HB.
+    apply cauchy; auto. }
+  assert (LA : - IZR x * p + - IZR y * q <= l * IZR ca).
+  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below na ax ay p q _ _ _ P). intros k K.
+    specialize (VA k K). lra. }
+  assert (LB : IZR x * p' + IZR y * q' <= l * IZR cb).
+  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below nb bx bl p' q' _ _ _ P'). intros k K.
+    specialize (VB k K). lra. }
+  rewrite !plus_IZR in *.
+  assert (E1 : (- (u - (IZR cx + IZR x) - p)) * (- (u - (IZR cx + IZR x) - p)) +
+    (- (v - (IZR cy + IZR y) - q)) * (- (v - (IZR cy + IZR y) - q)) <= IZR ra * IZR ra) by nra.
+  pose proof (cauchy l (IZR ra) (IZR x) (IZR y) _ _ L RA LL E1) as A.
+  pose proof (cauchy l (IZR rb) (IZR x) (IZR y) _ _ L RB LL E') as B.
+  unfold square_apart. apply Rnot_le_gt. intros C.
+  pose proof (cauchy l (IZR d) (IZR x) (IZR y) _ _ L D LL C) as W.
+  assert (l * m < l * l) by (apply Rmult_lt_compat_l; assumption).
+  unfold m in *. nra.
+Qed.
+
+(* A point of A - B at length m from the origin, with the radii taken off. *)
+Lemma difference_exact u v m : in_difference u v -> u * u + v * v = m * m -> 0 < m -> IZR ra + IZR rb <= m ->
+  exists e f s t, in_a e f /\ in_b s t /\ square_apart e f s t = (m - IZR ra - IZR rb) * (m - IZR ra - IZR rb).
+Proof.
+  intros (p & q & s & t & P & Q & U & V) N M0 M.
+  destruct radii as (RA & RB & D). apply IZR_le in RA, RB, D.
+  set (k := / m). assert (K : k * m = 1) by (apply Rinv_l; lra).
+  assert (S : (k * u) * (k * u) + (k * v) * (k * v) = 1).
+  { replace ((k * u) * (k * u) + (k * v) * (k * v)) with ((k * k) * (u * u + v * v)) by ring. rewrite N.
+    replace ((k * k) * (m * m)) with ((k * m) * (k * m)) by ring. rewrite K. ring. }
+  assert (scaled : forall e, (e * (k * u)) * (e * (k * u)) + (e * (k * v)) * (e * (k * v)) = e * e).
+  { intros e. replace ((e * (k * u)) * (e * (k * u)) + (e * (k * v)) * (e * (k * v)))
+      with ((e * e) * ((k * u) * (k * u) + (k * v) * (k * v))) by ring. rewrite S. ring. }
+  exists (IZR (cx + x) + p - IZR ra * (k * u)), (IZR (cy + y) + q - IZR ra * (k * v)),
+    (IZR cx + s + IZR rb * (k * u)), (IZR cy + t + IZR rb * (k * v)).
+  split; [exists p, q; split; [exact P | pose proof (scaled (IZR ra)); lra] |].
+  split; [exists s, t; split; [exact Q | pose proof (scaled (IZR rb)); lra] |].
+  unfold square_apart. rewrite !plus_IZR.
+  replace (IZR cx + IZR x + p - IZR ra * (k * u) - (IZR cx + s + IZR rb * (k * u))) with ((m - IZR ra - IZR rb) * (k * u)).
+  2: { assert (u = k * m * u) by (rewrite K; lra). lra. }
+  replace (IZR cy + IZR y + q - IZR ra * (k * v) - (IZR cy + t + IZR rb * (k * v))) with ((m - IZR ra - IZR rb) * (k * v)).
+  2: { assert (v = k * m * v) by (rewrite K; lra). lra. }
+  apply scaled.
+Qed.
+
+Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
+Proof. intros B H. apply Rnot_le_lt. intros C. pose proof (Rmult_le_compat b a b a B B C C). lra. Qed.
+
+(* The feature has a point |h| / |d| from the origin. *)
+Lemma feature_point dx dy h l : of_vertex dx dy h \/ of_edge dx dy h -> (h < 0)%Z -> 0 < l ->
+  IZR dx * IZR dx + IZR dy * IZR dy = l * l -> exists u v, in_difference u v /\ u * u + v * v = (- IZR h / l) * (- IZR h / l).
+Proof.
+  intros F H L LL. assert (scale : forall w, w * (l * l) = IZR h * IZR h -> w = (- IZR h / l) * (- IZR h / l)).
+  { intros w W. replace ((- IZR h / l) * (- IZR h / l)) with (IZR h * IZR h / (l * l)) by (field; lra).
+    rewrite <- W. field. lra. }
+  destruct F as [(i & j & px & py & P & -> & -> & ->) | (i & j & k & m & px & py & qx & qy & P & Q & (F & G) & -> & -> & ->)].
+  - apply named_in in P. exists (IZR px), (IZR py). split; [exact P |]. apply scale. unfold dot.
+    rewrite <- LL. rewrite !opp_IZR, plus_IZR, !mult_IZR. ring.
+  - apply named_in in P, Q. unfold dot, cross in *. apply IZR_lt in F. apply Z.gt_lt, IZR_lt in G.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in *.
+    set (p := IZR px) in *. set (q := IZR py) in *. set (u := IZR qx) in *. set (v := IZR qy) in *.
+    set (f := p * (u - p) + q * (v - q)) in *.
+    assert (E : (u - p) * (u - p) + (v - q) * (v - q) = l * l) by (rewrite <- LL; ring).
+    set (e := l * l) in *. assert (0 < e) by (apply Rmult_lt_0_compat; exact L).
+    set (r := - f / e). assert (K : r * e = - f) by (unfold r; field; lra).
+    assert (0 <= r <= 1) by (split; unfold f in *; nra).
+    exists ((1 - r) * p + r * u + 0 * u), ((1 - r) * q + r * v + 0 * v). split.
+    + apply difference_mean; auto; lra.
+    + apply scale. replace (((1 - r) * p + r * u + 0 * u) * ((1 - r) * p + r * u + 0 * u) +
+        ((1 - r) * q + r * v + 0 * v) * ((1 - r) * q + r * v + 0 * v))
+        with (p * p + q * q + 2 * r * f + r * r * ((u - p) * (u - p) + (v - q) * (v - q))) by (unfold f; ring).
+      rewrite E. replace ((p * p + q * q + 2 * r * f + r * r * e) * e)
+        with (e * (p * p + q * q) + 2 * (r * e) * f + (r * e) * (r * e)) by ring.
+      rewrite K. rewrite <- E. unfold f. ring.
+Qed.
+
+(* A distance: the shapes have one, which rounds to what is checked, a tie up. *)
+Theorem distance_rounds : measured (ra + rb) d -> exists m, 0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\
+  (forall u v s t, in_a u v -> in_b s t -> m <= sqrt (square_apart u v s t)) /\
+  (exists u v s t, in_a u v /\ in_b s t /\ sqrt (square_apart u v s t) = m).
+Proof.
+  intros (dx & dy & h & B & F & (H & C) & R1 & R2).
+  pose proof radii as (RA & RB & D). apply IZR_le in RA, RB, D.
+  set (l := sqrt (IZR dx * IZR dx + IZR dy * IZR dy)).
+  assert (L0 : 0 <= l) by apply sqrt_pos.
+  assert (LL : IZR dx * IZR dx + IZR dy * IZR dy = l * l).
+  { symmetry. apply sqrt_sqrt. pose proof (Rle_0_sqr (IZR dx)). pose proof (Rle_0_sqr (IZR dy)). unfold Rsqr in *. lra. }
+  pose proof H as H'. apply IZR_lt in H'. unfold farther, dot in *. apply Z.gt_lt, IZR_lt in C. apply IZR_lt in R2.
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in C.
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in R2. rewrite LL in C, R2.
+  assert (L : 0 < l). { destruct L0 as [| E]; [assumption |]. rewrite <- E in R2. exfalso. nra. }
+  set (g := - IZR h / l). assert (G : g * l = - IZR h) by (unfold g; field; lra).
+  assert (G0 : 0 < g) by (apply Rdiv_lt_0_compat; lra).
+  assert (cancel : forall a b, a * a * (l * l) < b * b * (l * l) -> a * a < b * b).
+  { intros a b A. apply Rmult_lt_reg_r with (l * l); [apply Rmult_lt_0_compat; exact L | exact A]. }
+  assert (M : IZR ra + IZR rb < g).
+  { apply square_less; [lra |]. apply cancel. replace (g * g * (l * l)) with ((g * l) * (g * l)) by ring. rewrite G. lra. }
+  assert (U : 2 * g < 2 * (IZR d + (IZR ra + IZR rb)) + 1).
+  { apply square_less; [lra |]. apply cancel.
+    replace (2 * g * (2 * g) * (l * l)) with (4 * (g * l) * (g * l)) by ring. rewrite G. simpl in *. lra. }
+  assert (W : 2 * (IZR d + (IZR ra + IZR rb)) - 1 <= 2 * g).
+  { destruct R1 as [R1 | R1].
+    - apply (f_equal IZR) in R1. rewrite !plus_IZR in R1. lra.
+    - apply Z.ge_le, IZR_le in R1. repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in R1. rewrite LL in R1.
+      apply Rnot_lt_le. intros X. assert (0 <= 2 * g) by lra.
+      pose proof (Rmult_le_0_lt_compat _ _ _ _ H0 H0 X X) as Y.
+      apply (Rmult_lt_compat_r (l * l)) in Y; [| apply Rmult_lt_0_compat; exact L].
+      replace (2 * g * (2 * g) * (l * l)) with (4 * (g * l) * (g * l)) in Y by ring. rewrite G in Y. lra. }
+  exists (g - (IZR ra + IZR rb)). split; [lra |]. split; [lra |]. split.
+  - intros u v s t (p & q & P & E) (p' & q' & P' & E'). rewrite !plus_IZR in *.
+    assert (V : forall e, 0 < e -> forall i j, (i < na)%nat -> (j < nb)%nat -> IZR dx * IZR (ax i) + IZR dy * IZR (ay i) <
+      IZR h + e - IZR dx * IZR x - IZR dy * IZR y + IZR dx * IZR (bx j) + IZR dy * IZR (bl j)).
+    { intros e X i j I J. specialize (B i j I J). unfold dot in B. apply IZR_le in B.
+      repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in B. lra. }
+    assert (V' : IZR dx * (IZR x + p - p') + IZR dy * (IZR y + q - q') <= IZR h).
+    { apply le_epsilon. intros e X. apply Rlt_le.
+      assert (Y : forall j, (j < nb)%nat -> - IZR dx * IZR (bx j) + - IZR dy * IZR (bl j) <
+        IZR h + e - IZR dx * IZR x - IZR dy * IZR y - IZR dx * p - IZR dy * q).
+      { intros j J. pose proof (hull_below na ax ay p q _ _ _ P (fun i I => V e X i j I J)). lra. }
+      pose proof (hull_below nb bx bl p' q' _ _ _ P' Y). lra. }
+    assert (S : 0 <= square_apart u v s t).
+    { pose proof (Rle_0_sqr (u - s)). pose proof (Rle_0_sqr (v - t)). unfold Rsqr, square_apart in *. lra. }
+    set (n := sqrt (square_apart u v s t)). assert (N : n * n = square_apart u v s t) by (apply sqrt_sqrt; exact S).
+    assert (N0 : 0 <= n) by apply sqrt_pos.
+    pose proof (cauchy l (IZR ra) (IZR dx) (IZR dy) _ _ L0 RA LL E) as A1.
+    assert (E2 : (- (s - IZR cx - p')) * (- (s - IZR cx - p')) + (- (t - IZR cy - q')) * (- (t - IZR cy - q')) <=
+      IZR rb * IZR rb) by lra.
+    pose proof (cauchy l (IZR rb) (IZR dx) (IZR dy) _ _ L0 RB LL E2) as A2.
+    assert (E3 : (- (u - s)) * (- (u - s)) + (- (v - t)) * (- (v - t)) <= n * n) by (unfold square_apart in N; lra).
+    pose proof (cauchy l n (IZR dx) (IZR dy) _ _ L0 N0 LL E3) as A3.
+    apply Rmult_le_reg_l with l; [exact L |]. lra.
+  - destruct (feature_point dx dy h l F H L LL) as (u & v & X & Y). fold g in Y.
+    destruct (difference_exact u v g X Y G0 ltac:(lra)) as (e & f & s & t & A & Z & S).
+    exists e, f, s, t. split; [exact A |]. split; [exact Z |]. rewrite S.
+    replace (g - IZR ra - IZR rb) with (g - (IZR ra + IZR rb)) by lra. apply sqrt_square. lra.
+Qed.
+
+End Vertices.
+
+Print Assumptions apart.
+Print Assumptions together.
+Print Assumptions circles_apart.
+Print Assumptions distance_rounds.
