@@ -15,6 +15,15 @@ static inline unsigned gjk_next(unsigned i) {
   return i < 2 ? i + 1 : 0;
 }
 
+// The component of v along an axis, 0 to 2.
+static inline int32_t gjk_component(const gjk_vec3 *v, unsigned axis) {
+  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
+static inline int64_t gjk_long_component(const gjk_long3 *v, unsigned axis) {
+  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
 // a + b. Pre: each component of the sum fits.
 static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b) {
   gjk_vec3 sum = {a.x + b.x, a.y + b.y, a.z + b.z};

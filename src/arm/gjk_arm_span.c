@@ -139,7 +139,7 @@ void gjk_arm_box(const gjk_arm *arm, unsigned number, unsigned start, unsigned e
       const gjk_arm_frame *frame = &frames[i == 0 ? start : end];
       const gjk_vec3 *d = &frame->rows[axis], *o = &frame->at, back = gjk_negate(*d);
       const gjk_vec3 far = support_of_part(part, d), near = support_of_part(part, &back);
-      const int32_t at = axis == 0 ? o->x : axis == 1 ? o->y : o->z;
+      const int32_t at = gjk_component(o, axis);
       const int64_t above = at + gjk_sar64(gjk_dot(d, &far), 30) + 1 + radius;
       const int64_t below = at + gjk_sar64(gjk_dot(d, &near), 30) - radius;
       most = above > most ? above : most;

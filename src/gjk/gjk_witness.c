@@ -86,10 +86,6 @@ GJK_ONCE static void report_axis(const gjk_iteration *it, const feature *f, gjk_
                  centre_b, normal, -it->b->shape->convex_radius, saturated);
 }
 
-static int32_t coordinate_of(const gjk_vec3 *v, unsigned axis) {
-  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
-}
-
 // Out of line: a fine frame, the usual one, goes past it.
 GJK_OUT_OF_LINE static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal,
                                            gjk_vec3 *point_a, gjk_vec3 *point_b, bool *saturated) {
@@ -99,11 +95,11 @@ GJK_OUT_OF_LINE static void nearest_points(const gjk_iteration *it, const featur
   for (unsigned axis = 0; axis < 3; axis++) {
     int32_t a[3], w[3];
     for (unsigned i = 0; i < 3; i++) {
-      a[i] = coordinate_of(&corner[i]->a.offset, axis);
-      w[i] = coordinate_of(&corner[i]->w, axis);
+      a[i] = gjk_component(&corner[i]->a.offset, axis);
+      w[i] = gjk_component(&corner[i]->w, axis);
     }
-    report_axis(it, f, coordinate_of(&it->a->centre, axis), coordinate_of(&it->b->centre, axis), a, w,
-                coordinate_of(&unit, axis), &on_a[axis], &on_b[axis], saturated);
+    report_axis(it, f, gjk_component(&it->a->centre, axis), gjk_component(&it->b->centre, axis), a, w,
+                gjk_component(&unit, axis), &on_a[axis], &on_b[axis], saturated);
   }
   point_a->x = on_a[0];
   point_a->y = on_a[1];

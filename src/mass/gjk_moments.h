@@ -64,9 +64,4 @@ void gjk_set_centre(const int64_t at[3], gjk_mass *out);
 // *out = the number nearest to x / y. Pre: x >= 0, y > 0, x / y < 2^127.
 void gjk_set_volume(gjk_big *x, const gjk_big *y, gjk_volume *out);
 
-// The size of the component of a vector.
-static inline int64_t gjk_long_component(const gjk_long3 *n, unsigned axis) {
-  return axis == 0 ? n->x : axis == 1 ? n->y : n->z;
-}
-
 #endif

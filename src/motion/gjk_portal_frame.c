@@ -81,7 +81,7 @@ int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u) {
 }
 
 int64_t gjk_portal_component(const gjk_long3 *v, unsigned axis) {
-  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+  return gjk_long_component(v, axis);
 }
 
 // Is each component from -2^29 to below 2^29?
