@@ -100,7 +100,7 @@ static bool second_is_first(const gjk_mesh *mesh, const gjk_region *region, uint
 }
 
 // As next_leaf_in_order for a region that moves, from near to far. Of two halves that the region meets, the one that the way
-// comes to first is next, and the other is put off: bit l of walk->node is 1 while a half of a node of level l is.
+// comes to first is next, and the other is put off: bit l of walk->node is 1 while a half of level l or below is.
 static bool next_mesh_leaf_on_way(const gjk_mesh *mesh, const gjk_region *region, const gjk_mesh_node *steps,
                                   gjk_parts_walk *walk) {
   const uint32_t leaves = gjk_mesh_leaves(mesh->triangle_count);
@@ -116,8 +116,8 @@ static bool next_mesh_leaf_on_way(const gjk_mesh *mesh, const gjk_region *region
         level++;
       }
       walk->node &= walk->node - 1;
-      leaf = (leaf >> (level - 1) ^ 1u) << (level - 1);
-      level = gjk_mesh_level(leaf, level - 1, leaves);
+      leaf = (leaf >> level ^ 1u) << level;
+      level = gjk_mesh_level(leaf, level, leaves);
       meets = steps_meet(&mesh->nodes[gjk_mesh_node_number(leaf, level)], steps);  // across the way it did
       continue;
     }
@@ -127,7 +127,7 @@ static bool next_mesh_leaf_on_way(const gjk_mesh *mesh, const gjk_region *region
     const bool meets_left = node_meets(mesh, left, steps, region);
     const bool meets_right = node_meets(mesh, right, steps, region);
     const bool goes_right = meets_right && (!meets_left || second_is_first(mesh, region, left, right));
-    walk->node |= meets_left && meets_right ? UINT32_C(1) << level : 0;
+    walk->node |= meets_left && meets_right ? UINT32_C(1) << (level - 1) : 0;
     meets = meets_left || meets_right;
     leaf = goes_right ? middle : leaf;
     level = goes_right ? level_right : level - 1;

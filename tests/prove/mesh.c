@@ -13,7 +13,11 @@
 #define FIELD 4
 
 #define VERTICES 3
+#if CASE == WALK
+#define TRIANGLES (GJK_MESH_LEAF + 1)
+#else
 #define TRIANGLES 2
+#endif
 #define NODES GJK_MESH_NODES(TRIANGLES)
 #define SIDE 3
 
@@ -92,10 +96,11 @@ static void use_class(const gjk_parts_class *type, const void *data, uint32_t pa
     frame.rows[i] = any_vec3(GJK_Q30_ONE);
   }
   gjk_region_start(&region, frame.rows, &body.pose.position, &box, any_bool() ? &way : NULL);
+  //@ split region.moves;
+  gjk_parts_walk_start(&walk);
   const uint32_t guess = type->guess(data, &region);
   //@ assert guess < count;
   (void)type->place(&frame, guess, &room, &c);
-  gjk_parts_walk_start(&walk);
   while (type->next(data, &region, &walk, &number)) {
     //@ assert number < count;
     (void)type->place(&frame, number, &room, &c);

@@ -326,8 +326,9 @@ static bool is_long(int64_t x, int64_t y, unsigned far);
 #define CIRCLES(a, b, radius) circles_apart(APART_X(a, b), APART_Y(a, b), a->core_radius + b->core_radius + radius)
 #define RADII(a, b) (a->shape->convex_radius + b->shape->convex_radius)
 #define RADIUS(r) ((r) < REACH ? (r) : REACH)
-#define FRAMED(s, a, b, radius) (s->delta.x == APART_X(a, b) && s->delta.y == APART_Y(a, b) && \
-  in_disc(s->delta.x, s->delta.y, 0x40000000) && s->radius == RADIUS(radius))
+#define FRAMED(s, a, b, radius)                                                                                 \
+  (s->delta.x == APART_X(a, b) && s->delta.y == APART_Y(a, b) && in_disc(s->delta.x, s->delta.y, 0x40000000) && \
+   s->radius == RADIUS(radius))
 
 /*@ requires \valid(s) && posed(s->a) && posed(s->b) && BESIDE(s, s->a) && BESIDE(s, s->b);
     assigns s->far, s->radius, s->delta;
@@ -345,9 +346,10 @@ static bool start_far(gjk2_search *s, bool circles, uint32_t radius);
     ensures \result == 1 && s->curved == 0 ==> a->shape->type->vertex != \null && b->shape->type->vertex != \null; */
 bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius);
 
-#define TOGETHER(a, b, r) (enclosing(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count) || \
-  near_vertex(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, r) || \
-  near_edge(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, r))
+#define TOGETHER(a, b, r)                                                    \
+  (enclosing(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count) ||      \
+   near_vertex(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, r) || \
+   near_edge(a, b, APART_X(a, b), APART_Y(a, b), a->count, b->count, r))
 
 // What a checked decision means for the vertices; hull.v goes on from there.
 /*@ requires posed(a) && posed(b) && \valid_read(decision);
