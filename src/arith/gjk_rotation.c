@@ -178,8 +178,13 @@ bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
 
 #else
 
-// Steps 4 and 5.
-GJK_ONCE static gjk_q30 rounded_entry(int64_t x, int32_t excess) {
+// Steps 4 and 5: in line, unless products are calls or long.
+#if GJK_NARROW_MULTIPLY
+GJK_OUT_OF_LINE
+#else
+GJK_ONCE
+#endif
+static gjk_q30 rounded_entry(int64_t x, int32_t excess) {
   return to_q30(corrected(x, excess));
 }
 

@@ -119,7 +119,12 @@ typedef struct witness_move {
 } witness_move;
 
 // start + radius normal, floored from Q31. Pre: the result fits.
-static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius) {
+#if GJK_NARROW_MULTIPLY
+GJK_OUT_OF_LINE
+#else
+GJK_ONCE
+#endif
+static int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius) {
   if (GJK_NARROW_MULTIPLY && radius == 0) {
     return (int32_t)gjk_sar64(start, 31);
   }
