@@ -37,12 +37,12 @@ fault borrow-lost $measure.c gjk2_reaches '(sum.high - (sum.low < rest))' 'sum.h
 fault bound-too-low $measure.h gjk2_length_bound 'y = gjk_magnitude32(n.y);' 'y = gjk_magnitude32(n.x);' "$open"
 fault edge-reversed src/plane/gjk2_check.c has_foot 'gjk2_vec edge = gjk2_sub(*q, *p);' 'gjk2_vec edge = gjk2_sub(*p, *q);' "$open"
 check=src/plane/gjk2_check.c
-fault difference-reversed $check plane_difference 'gjk2_sub(of_a, of_b)' 'gjk2_sub(of_b, of_a)' "$open"
+fault coordinate-twice $check plane_place 'out->x = w.x;' 'out->x = w.y;' "$open"
 fault too-many-named $check load_named 'certificate->count > most)' 'certificate->count > most + 1)' "$open"
 fault flat-triangle $check triangle_holds_origin 'a != 0 && a == b' 'a == b' "$open"
-fault foot-outside $check edge_is_near 'has_foot(p, q) && gjk2_is_within' 'gjk2_is_within' "$open"
+fault corner-without-name $check plane_is_enclosing '&w[certificate->count > 2 ? 2 : 0]' '&w[2]' "$open"
 fault base-of-other-sign $check plane_set_feature 's->base = gjk2_cross(w[0], w[1]);' 's->base = gjk2_cross(w[1], w[0]);' "$open"
-fault touching-line-is-clear $check line_is_clear 'height < 0 &&' 'height <= 0 &&' "$open"
+fault radius-left-out $check line_is_clear '(-height, d, radius)' '(-height, d, 0)' "$open"
 fault support-not-asked $check plane_is_nearest ' && support(s, s->d) == s->base' '' "$open"
 fault proof-of-no-kind $check plane_is_apart 'certificate->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, certificate)' 'certificate->proof != GJK2_PROOF_NEAREST' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
