@@ -4,13 +4,13 @@
 // Let P be a shape's pose origin, R bound how far its core reaches from P, and H be how far it reaches along u.
 //   spare   However it turns, the core reaches R at most: its share of the room is at most R - H, and at most R phi.
 //   lever   Let it turn by phi, and w be u turned by a quarter the other way. Its reach is then that along
-//           cos phi u + sin phi w, which is a sum of u and v = u + T w with weights that are not below 0, if
-//           tan phi <= T. A support function is sublinear, so with the support point p along v the reach is at most
+//           cos phi u + sin phi w. If tan phi <= T, this is a sum of u and v = u + T w, with no weight below 0.
+//           A support function is sublinear, so with the support point p along v the reach is at most
 //             H cos phi + (p . w) sin phi.
 //           p . w is the lever. As the room shrinks so does T, and p is the touched corner with its true speed.
-//   frame   u may turn with a shape whose edge is touched, by w_f h. Then that shape's reach stays, the other turns by the
-//           difference of both angles, and the origins, D = P_b - P_a apart and moving by v, approach by
-//           -(u . v + w_f (u' . D)), u' for u turned to the left.
+//   frame   u may turn with a shape whose edge is touched, by w_f h. Then that shape's reach stays, and the other turns by
+//           the difference of both angles. Let the origins be D = P_b - P_a apart and move by v, and u' be u turned to
+//           the left. They approach by -(u . v + w_f (u' . D)).
 //   bend    What these leave out is of second order, at most k h^2 while no angle exceeds a radian:
 //             k = w^2 / 2 (|lever| / 3 + max(0, -H)) of each shape, and of the frame
 //                 w_f^2 / 2 (|u . D| + |u . v| + |u' . D| / 3) + w_f |u' . v|
