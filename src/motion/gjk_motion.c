@@ -74,13 +74,16 @@ static uint64_t half_turns_of_arc(gjk_q30 sine, gjk_q30 cosine) {
   return (rest < 0 ? turns - size : turns + size) >> 16;
 }
 
+// Pre: out->deviation is set.
 static gjk_status start_arc(const gjk_motion *motion, gjk_turning *out) {
-  gjk_quat back, arc;
-  gjk_status status = gjk_quat_invert(&motion->from.rotation, &back);
-  status = status == GJK_OK ? gjk_quat_compose(&motion->to.rotation, &back, &arc) : status;
-  if (status != GJK_OK) {
-    return status;
+  const gjk_quat *from = &motion->from.rotation, *to = &motion->to.rotation;
+  int64_t deviation;
+  if (!gjk_quat_deviation(to, &deviation)) {
+    return GJK_ERROR_ROTATION;
   }
+  const gjk_quat back = {-from->x, -from->y, -from->z, from->w};  // as long as from
+  gjk_quat arc;
+  gjk_quat_multiply(to, deviation, &back, out->deviation, &arc);
   if (arc.w < 0) {  // the shorter way round
     arc.x = -arc.x;
     arc.y = -arc.y;
