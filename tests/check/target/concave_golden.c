@@ -1,11 +1,10 @@
 // A fixed run of a scene with concave bodies and its hash, without libc and with little RAM.
 #include "concave_golden.h"
 
-#include "fnv.h"
 #include "gjk/concave.h"
 #include "gjk/gjk.h"
 #include "gjk/slide.h"
-#include "random.h"
+#include "golden_mix.h"
 
 #define ONE GJK_Q16_ONE
 #define SIDE 4
@@ -51,24 +50,7 @@ static struct {
   gjk_quat turn;
 } mover[BODIES];
 
-static uint64_t hash;
 static bool fine;
-
-static void mix(uint32_t value) {
-  hash = fnv_word(hash, value);
-}
-
-static void mix_vector(const gjk_vec3 *v) {
-  mix((uint32_t)v->x);
-  mix((uint32_t)v->y);
-  mix((uint32_t)v->z);
-}
-
-static void mix_unit(const gjk_unit3 *n) {
-  mix((uint32_t)n->x);
-  mix((uint32_t)n->y);
-  mix((uint32_t)n->z);
-}
 
 static void need(gjk_status status) {
   fine = fine && status == GJK_OK;
@@ -77,12 +59,7 @@ static void need(gjk_status status) {
 static void mix_manifold(const gjk_manifold *m) {
   mix(m->count);
   mix_unit(&m->normal);
-  for (unsigned i = 0; i < m->count; i++) {
-    mix_vector(&m->contact[i].point_a);
-    mix_vector(&m->contact[i].point_b);
-    mix((uint32_t)m->contact[i].distance);
-    mix(m->contact[i].id);
-  }
+  mix_contacts_of(m);
 }
 
 // Both grounds are 4 units long and wide: the mesh from x = -4 on, the field from x = 0 on, with a hole.

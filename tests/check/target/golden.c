@@ -2,9 +2,8 @@
 // Iterations and certificates tell of the way to an answer, so they are not in it.
 #include "golden.h"
 
-#include "fnv.h"
 #include "gjk/gjk.h"
-#include "random.h"
+#include "golden_mix.h"
 
 #define VERTICES 16
 
@@ -16,19 +15,8 @@ typedef struct body {
 } body;
 
 static body bodies[2];
-static uint64_t hash;
 static gjk_epa_cell cells[GJK_EPA_CELLS(20)];
 static const gjk_workspace workspace = {cells, GJK_EPA_CELLS(20)};
-
-static void mix(uint32_t value) {
-  hash = fnv_word(hash, value);
-}
-
-static void mix_vector(int32_t x, int32_t y, int32_t z) {
-  mix((uint32_t)x);
-  mix((uint32_t)y);
-  mix((uint32_t)z);
-}
 
 static void mix_distance(gjk_cache *cache, gjk_distance_result *out) {
   mix((uint32_t)gjk_distance(&bodies[0].collider, &bodies[1].collider, cache, out));
@@ -36,9 +24,9 @@ static void mix_distance(gjk_cache *cache, gjk_distance_result *out) {
   mix((uint32_t)out->saturated);
   mix((uint32_t)out->distance);
   if (!out->intersecting) {
-    mix_vector(out->point_a.x, out->point_a.y, out->point_a.z);
-    mix_vector(out->point_b.x, out->point_b.y, out->point_b.z);
-    mix_vector(out->normal.x, out->normal.y, out->normal.z);
+    mix_vector(&out->point_a);
+    mix_vector(&out->point_b);
+    mix_unit(&out->normal);
   }
 }
 
@@ -60,9 +48,9 @@ static void mix_until(uint8_t iterations, gjk_q16 error) {
   gjk_distance_result out;
   mix((uint32_t)gjk_distance_until(&bodies[0].collider, &bodies[1].collider, &effort, NULL, &out));
   mix((uint32_t)out.intersecting);
-  mix_vector(out.distance, out.lower, out.upper);
+  mix_three(out.distance, out.lower, out.upper);
   if (!out.intersecting) {
-    mix_vector(out.point_a.x, out.point_a.y, out.point_a.z);
+    mix_vector(&out.point_a);
   }
 }
 
@@ -71,10 +59,10 @@ static void mix_penetration(gjk_cache *cache) {
   mix((uint32_t)gjk_penetration(&bodies[0].collider, &bodies[1].collider, cache, &workspace, &out));
   mix((uint32_t)out.intersecting);
   if (out.intersecting) {
-    mix_vector(out.depth, out.lower, out.upper);
-    mix_vector(out.point_a.x, out.point_a.y, out.point_a.z);
-    mix_vector(out.point_b.x, out.point_b.y, out.point_b.z);
-    mix_vector(out.normal.x, out.normal.y, out.normal.z);
+    mix_three(out.depth, out.lower, out.upper);
+    mix_vector(&out.point_a);
+    mix_vector(&out.point_b);
+    mix_unit(&out.normal);
   }
 }
 
@@ -82,21 +70,7 @@ static void mix_contacts(gjk_q16 margin) {
   static gjk_manifold out;
   mix((uint32_t)gjk_contacts(&bodies[0].collider, &bodies[1].collider, margin, 4, NULL, &workspace, &out));
   mix(out.count);
-  for (unsigned i = 0; i < out.count; i++) {
-    const gjk_contact *c = &out.contact[i];
-    mix_vector(c->point_a.x, c->point_a.y, c->point_a.z);
-    mix_vector(c->point_b.x, c->point_b.y, c->point_b.z);
-    mix((uint32_t)c->distance);
-    mix(c->id);
-  }
-}
-
-static gjk_vec3 random_vector(random_state *random, int32_t size) {
-  gjk_vec3 v;
-  v.x = random_range(random, -size, size);
-  v.y = random_range(random, -size, size);
-  v.z = random_range(random, -size, size);
-  return v;
+  mix_contacts_of(&out);
 }
 
 // A shape of one of ten kinds, of about that size; every fourth has a convex radius.

@@ -7,7 +7,7 @@
 #include "gjk2/gjk2.h"
 #include "gjk2/hull.h"
 #include "gjk2/mass.h"
-#include "random.h"
+#include "golden_mix.h"
 
 #define POINTS 14
 
@@ -15,25 +15,9 @@ static gjk_vec3 points[POINTS], vertices[POINTS];
 static gjk2_vec flat[POINTS], fewer[2 * POINTS];
 static uint32_t workspace[GJK_HULL_SIMPLIFY_WORKSPACE(POINTS) / 4];
 static uint16_t corner[8 * POINTS], end[2 * POINTS];
-static uint64_t hash;
-
-// FNV-1a over the bytes of a value, lowest first.
-static void mix(uint32_t value) {
-  for (int i = 0; i < 4; i++) {
-    hash = (hash ^ (value & 0xFFu)) * UINT64_C(0x100000001B3);
-    value >>= 8;
-  }
-}
-
 static void mix_long(uint64_t value) {
   mix((uint32_t)(value & UINT32_MAX));
   mix((uint32_t)(value >> 32));
-}
-
-static void mix_vector(const gjk_vec3 *v) {
-  mix((uint32_t)v->x);
-  mix((uint32_t)v->y);
-  mix((uint32_t)v->z);
 }
 
 static void mix_mass(gjk_status status, const gjk_mass *m) {
@@ -234,7 +218,7 @@ static void take_flat_set(random_state *random) {
 
 uint64_t hull_golden_hash(uint32_t sets) {
   random_state random = random_seed(2031);
-  hash = UINT64_C(0xCBF29CE484222325);
+  hash = FNV_START;
   for (uint32_t i = 0; i < sets; i++) {
     take_set(&random);
     simplify_set(&random);

@@ -1,10 +1,9 @@
 // The fixed set of casts, rays and times of impact in space and its hash, without libc and with little RAM.
 #include "motion_golden.h"
-#include "fnv.h"
 #include "gjk/cast.h"
 #include "gjk/gjk.h"
 #include "gjk/impact.h"
-#include "random.h"
+#include "golden_mix.h"
 
 #define VERTICES 10
 
@@ -15,37 +14,11 @@ typedef struct body {
   gjk_motion motion;
 } body;
 
-static uint64_t hash;
-
-static void mix(uint32_t value) {
-  hash = fnv_word(hash, value);
-}
-
-static void mix_vector(const gjk_vec3 *v) {
-  mix((uint32_t)v->x);
-  mix((uint32_t)v->y);
-  mix((uint32_t)v->z);
-}
-
-static void mix_unit(const gjk_unit3 *n) {
-  mix((uint32_t)n->x);
-  mix((uint32_t)n->y);
-  mix((uint32_t)n->z);
-}
-
 static void mix_rotation(const gjk_quat *q) {
   mix((uint32_t)q->x);
   mix((uint32_t)q->y);
   mix((uint32_t)q->z);
   mix((uint32_t)q->w);
-}
-
-static gjk_vec3 random_vector(random_state *random, int32_t size) {
-  gjk_vec3 v;
-  v.x = random_range(random, -size, size);
-  v.y = random_range(random, -size, size);
-  v.z = random_range(random, -size, size);
-  return v;
 }
 
 // Turns about three axes.

@@ -1,9 +1,8 @@
 // The fixed set of queries of bodies of many parts and of surfaces and its hash, without libc and with little RAM.
 #include "parts_golden.h"
 
-#include "fnv.h"
 #include "gjk/gjk.h"
-#include "random.h"
+#include "golden_mix.h"
 
 #define PARTS 12
 #define SIDE 5
@@ -26,23 +25,6 @@ static gjk_shape visitor_shape;
 static gjk_vec3 visitor_vertices[VERTICES];
 static gjk_collider visitor;
 static gjk_epa_cell cells[CELLS];
-static uint64_t hash;
-
-static void mix(uint32_t value) {
-  hash = fnv_word(hash, value);
-}
-
-static void mix_vector(const gjk_vec3 *v) {
-  mix((uint32_t)v->x);
-  mix((uint32_t)v->y);
-  mix((uint32_t)v->z);
-}
-
-static void mix_unit(const gjk_unit3 *n) {
-  mix((uint32_t)n->x);
-  mix((uint32_t)n->y);
-  mix((uint32_t)n->z);
-}
 
 static void mix_decision(gjk_status status, uint32_t part, const gjk_decision *out) {
   mix((uint32_t)status);
@@ -88,12 +70,7 @@ static void mix_manifold(uint32_t part, const gjk_manifold *m) {
   mix(part);
   mix(m->count);
   mix_unit(&m->normal);
-  for (unsigned i = 0; i < m->count; i++) {
-    mix_vector(&m->contact[i].point_a);
-    mix_vector(&m->contact[i].point_b);
-    mix((uint32_t)m->contact[i].distance);
-    mix(m->contact[i].id);
-  }
+  mix_contacts_of(m);
 }
 
 static void mix_cast(gjk_status status, uint32_t part, const gjk_cast_result *out) {
@@ -121,14 +98,6 @@ static void mix_impact(gjk_status status, uint32_t part, const gjk_impact_result
     mix((uint32_t)out->lower);
     mix((uint32_t)out->upper);
   }
-}
-
-static gjk_vec3 random_vector(random_state *random, int32_t size) {
-  gjk_vec3 v;
-  v.x = random_range(random, -size, size);
-  v.y = random_range(random, -size, size);
-  v.z = random_range(random, -size, size);
-  return v;
 }
 
 // Every third is not turned.
