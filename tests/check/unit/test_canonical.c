@@ -12,6 +12,7 @@
 #include "generate/polytope.h"
 #include "gjk/check.h"
 #include "gjk/gjk.h"
+#include "same.h"
 #include "src/gjk/gjk_iteration.h"
 #include "src/gjk/gjk_search.h"
 
@@ -115,39 +116,6 @@ static void ask(const question *q, const gjk_cache *from, answers *out) {
   out->pierced = gjk_penetration(&q->a, &q->b, cache[4], &q->workspace, &out->depth);
   out->parted = gjk_signed_distance(&q->a, &q->b, cache[5], &q->workspace, &out->apart);
   out->met = gjk_contacts(&q->a, &q->b, q->margin, GJK_CONTACTS_MAX, cache[6], &q->workspace, &out->contacts);
-}
-
-// Do they differ in a field that a query reports, other than iterations and certificate?
-static bool same_gap(const gjk_distance_result *p, const gjk_distance_result *q) {
-  gjk_distance_result a, b;
-  memcpy(&a, p, sizeof a);
-  memcpy(&b, q, sizeof b);
-  a.iterations = b.iterations = 0;
-  memset(&a.certificate, 0, sizeof a.certificate);
-  memset(&b.certificate, 0, sizeof b.certificate);
-  return memcmp(&a, &b, sizeof a) == 0;
-}
-
-static bool same_depth(const gjk_penetration_result *p, const gjk_penetration_result *q) {
-  gjk_penetration_result a, b;
-  memcpy(&a, p, sizeof a);
-  memcpy(&b, q, sizeof b);
-  a.iterations = b.iterations = 0;
-  memset(&a.certificate, 0, sizeof a.certificate);
-  memset(&b.certificate, 0, sizeof b.certificate);
-  return memcmp(&a, &b, sizeof a) == 0;
-}
-
-// Field by field: contacts have padding.
-static bool same_manifold(const gjk_manifold *p, const gjk_manifold *q) {
-  bool same = p->count == q->count && p->feature_a == q->feature_a && p->feature_b == q->feature_b &&
-              memcmp(&p->normal, &q->normal, sizeof p->normal) == 0;
-  for (int i = 0; i < p->count && same; i++) {
-    const gjk_contact *a = &p->contact[i], *b = &q->contact[i];
-    same = memcmp(&a->point_a, &b->point_a, sizeof a->point_a) == 0 &&
-           memcmp(&a->point_b, &b->point_b, sizeof a->point_b) == 0 && a->distance == b->distance && a->id == b->id;
-  }
-  return same;
 }
 
 static unsigned long differing[7];

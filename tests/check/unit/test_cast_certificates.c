@@ -8,6 +8,7 @@
 #include "exact/cast_claim.h"
 #include "generate/cast.h"
 #include "gjk/gjk.h"
+#include "same.h"
 
 #define CASTS check_trials(40000)
 #define FAILURES_SHOWN 5
@@ -45,10 +46,6 @@ static void expect(campaign *c, bool holds, const char *what) {
 static gjk_vec3 vec3(int64_t x, int64_t y, int64_t z) {
   const gjk_vec3 v = {(gjk_q16)x, (gjk_q16)y, (gjk_q16)z};
   return v;
-}
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
 // From where it stands by a part of a way; the part is k of n.

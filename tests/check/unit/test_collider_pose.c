@@ -6,6 +6,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "random.h"
+#include "same.h"
 #include "src/shape/gjk_shape_class.h"
 
 #define SEED 16384
@@ -67,10 +68,6 @@ static long double error_of(const gjk_collider *c, const gjk_vec3 *offset, const
   const long double y = fabsl((long double)c->centre.y + offset->y - pose->position.y - real.y);
   const long double z = fabsl((long double)c->centre.z + offset->z - pose->position.z - real.z);
   return fmaxl(x, fmaxl(y, z));
-}
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
 static bool within_core(const gjk_collider *c, const gjk_vec3 *offset) {

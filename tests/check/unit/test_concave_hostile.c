@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "reference/random_shape.h"
+#include "same.h"
 #include "scene/concave_solid.h"
 
 #define SEED UINT64_C(0x486F7374)
@@ -21,24 +22,6 @@ static struct { unsigned long pairs, near, curved, manifolds, lacking, limited, 
 
 static game m;
 static game_scene s[GAME_SCENES];
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
-static bool same_manifold(const gjk_manifold *a, const gjk_manifold *b) {
-  bool same = a->count == b->count;
-  if (same && a->count > 0) {
-    same = a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z &&
-           a->feature_a == b->feature_a && a->feature_b == b->feature_b;
-  }
-  for (unsigned i = 0; i < a->count && same; i++) {
-    const gjk_contact *p = &a->contact[i], *q = &b->contact[i];
-    same = same_vec3(&p->point_a, &q->point_a) && same_vec3(&p->point_b, &q->point_b) && p->distance == q->distance &&
-           p->id == q->id;
-  }
-  return same;
-}
 
 // The reports of two scenes. anew: of one that was built anew, whose generations differ.
 static void compare_reports(const game_scene *a, const game_scene *b, bool anew, const char *which) {

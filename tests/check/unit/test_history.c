@@ -10,6 +10,7 @@
 #include "gjk/gjk.h"
 #include "gjk/impact.h"
 #include "gjk/scene.h"
+#include "same.h"
 
 #define PAIRS check_trials(6000)
 #define MOVES check_trials(2000)
@@ -93,35 +94,19 @@ static void ask(const question *q, gjk_cache *cache, answers *out) {
   out->stopped = gjk_distance_until(&q->a, &q->b, &q->effort, cache, &out->until);
 }
 
-static bool same(const void *a, const void *b) {
-  return memcmp(a, b, sizeof(gjk_vec3)) == 0;
-}
-
-// Fields that are not set are 0.
-static bool same_distance(const gjk_distance_result *a, const gjk_distance_result *b) {
-  return a->distance == b->distance && a->lower == b->lower && a->upper == b->upper &&
-         a->intersecting == b->intersecting && a->saturated == b->saturated && same(&a->point_a, &b->point_a) &&
-         same(&a->point_b, &b->point_b) && same(&a->normal, &b->normal);
-}
-
-static bool same_depth(const gjk_penetration_result *a, const gjk_penetration_result *b) {
-  return a->intersecting == b->intersecting && a->depth == b->depth && a->lower == b->lower && a->upper == b->upper &&
-         same(&a->point_a, &b->point_a) && same(&a->point_b, &b->point_b) && same(&a->normal, &b->normal);
-}
-
 static void expect_same(unsigned pair, const char *cache, const answers *cold, const answers *warm) {
   CHECK_MSG(cold->touched == warm->touched, "%s, pair %u", cache, pair);
   CHECK_MSG(cold->touch.yes == warm->touch.yes, "%s, pair %u", cache, pair);
   CHECK_MSG(cold->near == warm->near, "%s, pair %u", cache, pair);
   CHECK_MSG(cold->within.yes == warm->within.yes, "%s, pair %u", cache, pair);
   CHECK_MSG(cold->measured == warm->measured, "%s, pair %u", cache, pair);
-  CHECK_MSG(same_distance(&cold->gap, &warm->gap), "%s, pair %u", cache, pair);
+  CHECK_MSG(same_gap(&cold->gap, &warm->gap), "%s, pair %u", cache, pair);
   CHECK_MSG(cold->stopped == warm->stopped, "%s, pair %u", cache, pair);
-  CHECK_MSG(same_distance(&cold->until, &warm->until), "%s, pair %u", cache, pair);
+  CHECK_MSG(same_gap(&cold->until, &warm->until), "%s, pair %u", cache, pair);
   CHECK_MSG(cold->pierced == warm->pierced, "%s, pair %u", cache, pair);
   CHECK_MSG(same_depth(&cold->depth, &warm->depth), "%s, pair %u", cache, pair);
   CHECK_MSG(cold->parted == warm->parted, "%s, pair %u", cache, pair);
-  CHECK_MSG(same_distance(&cold->apart, &warm->apart), "%s, pair %u", cache, pair);
+  CHECK_MSG(same_gap(&cold->apart, &warm->apart), "%s, pair %u", cache, pair);
 }
 
 static gjk_cache make_rubbish(random_state *random) {
@@ -343,21 +328,6 @@ static uint64_t hash_of(const gjk_scene *scene) {
   uint64_t hash = 0;
   CHECK(gjk_scene_hash(scene, &hash) == GJK_OK);
   return hash;
-}
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return memcmp(a, b, sizeof *a) == 0;
-}
-
-static bool same_manifold(const gjk_manifold *m, const gjk_manifold *n) {
-  bool same = m->count == n->count && m->feature_a == n->feature_a && m->feature_b == n->feature_b &&
-              memcmp(&m->normal, &n->normal, sizeof m->normal) == 0;
-  for (int i = 0; i < m->count && same; i++) {
-    const gjk_contact *c = &m->contact[i], *d = &n->contact[i];
-    same = same_vec3(&c->point_a, &d->point_a) && same_vec3(&c->point_b, &d->point_b) && c->distance == d->distance &&
-           c->id == d->id;
-  }
-  return same;
 }
 
 // Everything that was reported.

@@ -6,6 +6,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "random.h"
+#include "same.h"
 #include "src/shape/gjk_hull_table.h"
 #include "src/shape/gjk_shape_class.h"
 
@@ -197,16 +198,12 @@ static bool check_refine(random_state *random, const four *f) {
   return moved[0];
 }
 
-static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 static bool same_distance(const gjk_distance_result *a, const gjk_distance_result *b) {
   return a->intersecting == b->intersecting && a->distance == b->distance && a->iterations == b->iterations &&
          a->certificate.proof == b->certificate.proof && a->certificate.count == b->certificate.count &&
          memcmp(a->certificate.a, b->certificate.a, a->certificate.count * sizeof a->certificate.a[0]) == 0 &&
          memcmp(a->certificate.b, b->certificate.b, a->certificate.count * sizeof a->certificate.b[0]) == 0 &&
-         (a->intersecting || (same_vec3(a->point_a, b->point_a) && same_vec3(a->point_b, b->point_b)));
+         (a->intersecting || (same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b)));
 }
 
 static void check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *expected) {

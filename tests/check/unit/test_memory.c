@@ -7,6 +7,7 @@
 #include "gjk/gjk.h"
 #include "gjk/scene.h"
 #include "random.h"
+#include "same.h"
 
 #define ONE GJK_Q16_ONE
 #define PLACES 12
@@ -90,10 +91,6 @@ static void ask(const gjk_shape *a, const gjk_pose *at_a, const gjk_shape *b, co
   out->status[9] = gjk_within_until(&out->a, &out->b, 9000, 2, NULL, &out->within);
 }
 
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return memcmp(a, b, sizeof *a) == 0;
-}
-
 static bool same_certificate(const gjk_certificate *c, const gjk_certificate *d) {
   const bool directed = c->proof == GJK_PROOF_DIRECTION || c->proof == GJK_PROOF_PLANE;
   return c->proof == d->proof && c->count == d->count && (!directed || same_vec3(&c->direction, &d->direction)) &&
@@ -110,30 +107,15 @@ static bool same_distance(const gjk_distance_result *a, const gjk_distance_resul
          a->intersecting == b->intersecting && a->saturated == b->saturated && a->iterations == b->iterations &&
          same_certificate(&a->certificate, &b->certificate) &&
          (!set || (same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b) &&
-                   memcmp(&a->normal, &b->normal, sizeof a->normal) == 0));
+                   same_unit3(&a->normal, &b->normal)));
 }
 
-static bool same_depth(const gjk_penetration_result *a, const gjk_penetration_result *b) {
+static bool same_penetration(const gjk_penetration_result *a, const gjk_penetration_result *b) {
   return a->intersecting == b->intersecting && a->iterations == b->iterations &&
          same_certificate(&a->certificate, &b->certificate) &&
          (!a->intersecting || (a->depth == b->depth && a->lower == b->lower && a->upper == b->upper &&
                                same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b) &&
-                               memcmp(&a->normal, &b->normal, sizeof a->normal) == 0));
-}
-
-static bool same_contacts(const gjk_manifold *m, const gjk_manifold *n) {
-  if (m->count != n->count || m->feature_a != n->feature_a || m->feature_b != n->feature_b ||
-      memcmp(&m->normal, &n->normal, sizeof m->normal) != 0) {
-    return false;
-  }
-  for (unsigned i = 0; i < m->count; i++) {
-    const gjk_contact *c = &m->contact[i], *d = &n->contact[i];
-    if (!same_vec3(&c->point_a, &d->point_a) || !same_vec3(&c->point_b, &d->point_b) || c->distance != d->distance ||
-        c->id != d->id) {
-      return false;
-    }
-  }
-  return true;
+                               same_unit3(&a->normal, &b->normal)));
 }
 
 static bool same_answers(const answers *a, const answers *b) {
@@ -144,7 +126,7 @@ static bool same_answers(const answers *a, const answers *b) {
          same_decision(&a->touch, &b->touch) && same_decision(&a->near, &b->near) &&
          same_distance(&a->distance, &b->distance, !a->distance.intersecting) &&
          same_distance(&a->until, &b->until, !a->until.intersecting) && same_distance(&a->apart, &b->apart, true) &&
-         same_depth(&a->depth, &b->depth) && same_contacts(&a->contacts, &b->contacts) &&
+         same_penetration(&a->depth, &b->depth) && same_manifold(&a->contacts, &b->contacts) &&
          memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
 }
 

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "gjk/surface.h"
 #include "reference/random_shape.h"
+#include "same.h"
 #include "src/parts/gjk_parts_class.h"
 
 #define SEED UINT64_C(0x4D696C6C)
@@ -103,16 +104,6 @@ static uint64_t place_of(const ground *g, uint32_t triangle) {
     y += (uint64_t)v->y;
   }
   return x << 32 | y;
-}
-
-static bool same_manifold(const gjk_manifold *m, const gjk_manifold *n) {
-  bool same = memcmp(&m->normal, &n->normal, sizeof m->normal) == 0 && m->count == n->count;
-  for (unsigned i = 0; same && i < m->count; i++) {
-    const gjk_contact *a = &m->contact[i], *b = &n->contact[i];
-    same = memcmp(&a->point_a, &b->point_a, sizeof a->point_a) == 0 &&
-           memcmp(&a->point_b, &b->point_b, sizeof a->point_b) == 0 && a->distance == b->distance && a->id == b->id;
-  }
-  return same;
 }
 
 static bool same_contacts(const ground *g, const answers *a, const ground *patch, const answers *b) {

@@ -7,6 +7,7 @@
 #include "gjk/penetration.h"
 #include "reference/accurate.h"
 #include "reference/random_shape.h"
+#include "same.h"
 
 #define SEED 20261122
 #define PAIRS ((int)check_trials(600))
@@ -106,14 +107,10 @@ static void random_pair(random_state *random) {
   pair.b.pose.position = random_below(random, 4) == 0 ? origin : random_vector(random, random_unit(random) * reach);
 }
 
-static bool same_vec3(gjk_vec3 p, gjk_vec3 q) {
-  return p.x == q.x && p.y == q.y && p.z == q.z;
-}
-
 static bool same_answer(const gjk_penetration_result *p, const gjk_penetration_result *q) {
   return p->intersecting == q->intersecting && p->iterations == q->iterations &&
          (!p->intersecting || (p->depth == q->depth && p->lower == q->lower && p->upper == q->upper &&
-                               same_vec3(p->point_a, q->point_a) && same_vec3(p->point_b, q->point_b) &&
+                               same_vec3(&p->point_a, &q->point_a) && same_vec3(&p->point_b, &q->point_b) &&
                                p->normal.x == q->normal.x && p->normal.y == q->normal.y && p->normal.z == q->normal.z));
 }
 

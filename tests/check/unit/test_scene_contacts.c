@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "same.h"
 #include "scene/world.h"
 
 #define UPDATES 150
@@ -12,17 +13,6 @@ static gjk_epa_cell cells[WORLD_CELLS];
 static const gjk_workspace workspace = {cells, WORLD_CELLS};
 static gjk_workspace of_worlds;
 static world w;
-
-static bool same_manifold(const gjk_manifold *a, const gjk_manifold *b) {
-  bool same = a->count == b->count && a->feature_a == b->feature_a && a->feature_b == b->feature_b &&
-              memcmp(&a->normal, &b->normal, sizeof a->normal) == 0;
-  for (int i = 0; i < a->count && same; i++) {
-    const gjk_contact *x = &a->contact[i], *y = &b->contact[i];
-    same = x->distance == y->distance && x->id == y->id && memcmp(&x->point_a, &y->point_a, sizeof x->point_a) == 0 &&
-           memcmp(&x->point_b, &y->point_b, sizeof x->point_b) == 0;
-  }
-  return same;
-}
 
 typedef struct tally {
   unsigned manifolds, points, negative, others;

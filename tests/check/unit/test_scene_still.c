@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "same.h"
 #include "scene/world.h"
 #include "src/scene/gjk_scene_block.h"
 
@@ -169,18 +170,6 @@ static kept_manifold *kept_of(const gjk_report *r) {
     }
   }
   return NULL;
-}
-
-// Field by field, because contacts have padding.
-static bool same_manifold(const gjk_manifold *x, const gjk_manifold *y) {
-  bool same = x->count == y->count && memcmp(&x->normal, &y->normal, sizeof x->normal) == 0 &&
-              x->feature_a == y->feature_a && x->feature_b == y->feature_b;
-  for (unsigned i = 0; i < x->count && same; i++) {
-    same = memcmp(&x->contact[i].point_a, &y->contact[i].point_a, sizeof x->contact[i].point_a) == 0 &&
-           memcmp(&x->contact[i].point_b, &y->contact[i].point_b, sizeof x->contact[i].point_b) == 0 &&
-           x->contact[i].distance == y->contact[i].distance && x->contact[i].id == y->contact[i].id;
-  }
-  return same;
 }
 
 // Keeps the manifold of a report, or finds the one that was kept; it must be that of the current poses.
