@@ -24,8 +24,8 @@
 #   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns
 #                        and branch mispredictions; then run time against error: tables, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more; CC=clang for clang's
-#   make bench-hull     hulls of points beside qhull and CGAL where installed: times, and answers on hard sets
-#   make bench-parts    convex parts beside HACD where installed: number, time, excess, what is left out; MESHES='A.obj ...'
+#   make bench-hull      hulls of points beside qhull and CGAL where installed: times, and answers on hard sets
+#   make bench-parts     convex parts beside HACD where installed: number, time, excess, what is left out; MESHES='A.obj ...'
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the tables of README.md and tests/measure/README.md
 #   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,
@@ -56,8 +56,8 @@
 #                        what differs is named
 #   make clean
 #
-# OPT=-Os builds for size, DEBUG=-g for a debugger, PORT=mps2 with the port in port/mps2, CC=clang with that compiler. What was built with other
-# flags is built again; VARIANT=-x builds in build/T-x, so that such builds are kept apart.
+# OPT=-Os builds for size, DEBUG=-g for a debugger, PORT=mps2 with the port in port/mps2, CC=clang with that compiler. Other
+# flags build anew. VARIANT=-x builds in build/T-x, so that such builds are kept apart.
 
 TARGET ?= host
 OPT ?= -O2
@@ -151,6 +151,8 @@ $(LIB): $(LIB_OBJECTS)
 	@$(AR_$(TARGET)) rcs $@ $^
 
 $(OUT)/library.flags: FORCE
+	@command -v $(firstword $(TOOLS_$(TARGET))) >/dev/null || \
+	  { echo '$(firstword $(TOOLS_$(TARGET))) is not installed: `make setup` installs the cross tools' >&2; exit 1; }
 	$(call FLAGS,$(FREESTANDING) $(AR_$(TARGET)) $(if $(ROOMS),$(IN_LIBRARY)))
 
 $(filter $(OUT)/gjk-%,$(LIB_OBJECTS)): $(OUT)/gjk-%.o: $(IN_LIBRARY) $(OUT)/library.flags Makefile
@@ -459,7 +461,7 @@ page: build/page/index.html
 	@echo '  build/page/index.html'
 
 build/page/index.html: $(wildcard src/*/*.[ch] include/*/*.h port/wasm/* tests/programs/page/* tests/programs/page/libc/* \
-    tests/measure/tests/measure/README.md tests/programs/query/*.[ch] tests/programs/demo_plane/flat_solver.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
+    tests/measure/README.md tests/programs/query/*.[ch] tests/programs/demo_plane/flat_solver.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
 	@sh tests/build/page.sh build
 
 amalgamation:

@@ -225,9 +225,9 @@ typedef struct gjk_arm {
 //
 // base      the pose of the base in the world.
 // Statuses  NULL. EMPTY: no link. ROTATION: base, fixed or a part's pose, or an axis of length 0. CAPACITY: more pairs
-//           than room. RANGE: too many links or parts, a parent that is not a link with a lower number, an unknown
-//           kind, or a part on no link. Also any status of gjk_collider_init or gjk_collider_pose for a part. arm is
-//           written only after OK; the memory may be written in any case.
+//           than room. RANGE: too many links or parts, an unknown kind, or a part on no link. Also RANGE: a parent that
+//           is not a link with a lower number. Also any status of gjk_collider_init or gjk_collider_pose for a part.
+//           arm is written only after OK; the memory may be written in any case.
 gjk_status gjk_arm_init(gjk_arm *arm, const gjk_arm_model *model, const gjk_pose *base, const gjk_arm_memory *memory);
 
 // Sets the obstacles that the arm must not hit. A running edge or check is abandoned.

@@ -17,11 +17,11 @@ extern "C" {
 
 // Shapes. Each function makes what the macro of its name makes: gjk_shape_box that of GJK_ROUNDED_BOX.
 //
-// radius    the convex radius, Q16.16, at least 0: 0 makes GJK_BOX of it, a point with one is GJK_SPHERE, a segment
-//           GJK_CAPSULE.
+// radius    the convex radius, Q16.16, at least 0. A box with 0 is GJK_BOX, a point with a radius is GJK_SPHERE, a
+//           segment with one is GJK_CAPSULE.
 // out       written when the result is GJK_OK. What a shape points to stays the caller's, and must outlive it.
 // Statuses  those of gjk_collider_init for the shape: NULL, NEGATIVE, SIZE, EMPTY, RANGE.
-// Cost      of gjk_collider_init.
+// Cost      that of gjk_collider_init.
 gjk_status gjk_shape_point(gjk_q16 radius, gjk_shape *out);
 gjk_status gjk_shape_segment(gjk_q16 half, gjk_q16 radius, gjk_shape *out);
 gjk_status gjk_shape_triangle(const gjk_vec3 *vertices3, gjk_q16 radius, gjk_shape *out);
@@ -43,13 +43,14 @@ gjk_status gjk_parts_of_compound(const gjk_compound *compound, gjk_parts *out);
 gjk_status gjk_parts_of_mesh(const gjk_mesh *mesh, gjk_parts *out);
 gjk_status gjk_parts_of_height_field(const gjk_height_field *field, gjk_parts *out);
 
-// The bindings of a scene that keeps contacts, depths and motions, which C programs name by the addresses of tables. All
-// other fields are zeroed. Statuses: NULL.
+// Bindings for contacts, depths and motions: the tables that C programs name by address. All other fields are zeroed.
+// Statuses: NULL.
 gjk_status gjk_scene_bind_all(gjk_scene_bindings *out);
 
-// The room that a result needs: GJK_COMPOUND_NODES, GJK_MESH_NODES and GJK_TABLE_CELLS as counts, GJK_HULL_WORKSPACE and
-// GJK_HULL_SIMPLIFY_WORKSPACE in bytes. Beside them gjk_workspace_bytes of gjk/penetration.h. 0 where the argument is out
-// of range: parts and triangles count from 1, levels to GJK_TABLE_LEVEL_MAX, points to GJK_HULL_POINTS_MAX.
+// The room that a result needs. GJK_COMPOUND_NODES, GJK_MESH_NODES and GJK_TABLE_CELLS are counts, GJK_HULL_WORKSPACE
+// and GJK_HULL_SIMPLIFY_WORKSPACE are bytes. For a workspace see gjk_workspace_bytes of gjk/penetration.h. 0: the
+// argument is out of range. Parts and triangles are at least 1, levels at most GJK_TABLE_LEVEL_MAX, points at most
+// GJK_HULL_POINTS_MAX.
 uint32_t gjk_compound_nodes(uint32_t parts);
 uint32_t gjk_mesh_nodes(uint32_t triangles);
 uint32_t gjk_table_cells(uint8_t level);
@@ -57,8 +58,8 @@ uint32_t gjk_hull_workspace(uint32_t points);
 uint32_t gjk_hull_simplify_workspace(uint32_t points);
 
 // The bytes of a public structure of this build, also of the plane: gjk_size_of("gjk_collider"). So other languages can
-// reserve structures that they do not look into, and check those that they do. All are aligned to at most 8 bytes. 0 for
-// any other name, and for NULL.
+// reserve structures that they do not look into, and check those that they do. No structure needs an alignment above 8
+// bytes. 0 for any other name, and for NULL.
 size_t gjk_size_of(const char *structure);
 
 // The value of a public constant or enumerator, also of the plane: gjk_constant("GJK_Q30_ONE", &one).

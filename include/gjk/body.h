@@ -30,28 +30,29 @@ typedef enum gjk_body_kind {
 
 // What a scene finds out about a pair. DEPTH and CONTACTS need the details of a scene's bindings.
 //
-// SENSOR  of a body alone: its pairs are a TOUCH, whatever detail the other body or the configuration asks for. Such a pair
-//         begins and ends; it is never reported as persisting. Fast bodies pass a sensor; casts and slides do so by their filter.
+// SENSOR  for a body only. Its pairs have detail TOUCH, whatever the other body or the configuration asks for. They
+//         begin and end, but are never reported as persisting. Fast bodies pass through a sensor. Casts and slides meet
+//         it unless their filter leaves it out.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
   GJK_DETAIL_DEPTH,      // and the depth
   GJK_DETAIL_CONTACTS,   // and the manifold
-  GJK_DETAIL_SENSOR      // of a body, see above
+  GJK_DETAIL_SENSOR      // for a body only, see above
 } gjk_detail;
 
-// Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
-// arguments, and on what does not change during an update. An update asks only about pairs whose last answer their
-// motion may have changed. If the answer changes for another reason, call
-// gjk_scene_refilter, in the plane gjk2_scene_refilter.
+// Should this pair be tested? Called at most once per test, perhaps from several threads. The predicate may depend on
+// its arguments, and on what does not change during an update. An update calls it only for pairs whose nearness a
+// motion may have changed. If the predicate changes for another reason, call gjk_scene_refilter, in the plane
+// gjk2_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
 // What happened to a pair.
 typedef enum gjk_event {
   GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
   GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
-  GJK_EVENT_END,        // near at the last update, not at this one, or a body was removed, whose id is stale
-  GJK_EVENT_IMPACT      // a is fast, and b is what it touched first on its way since the last update
+  GJK_EVENT_END,        // near at the last update, but not at this one; or a body was removed, and its id is stale
+  GJK_EVENT_IMPACT      // a is a fast body; b is what a touched first on its way since the last update
 } gjk_event;
 
 // Whether a scene remembers where a body was at the last update, see gjk_scene_set_motion.
@@ -63,25 +64,24 @@ typedef enum gjk_body_motion {
 
 // Progress of an update, which is done when pairs_left and reports_left are 0.
 typedef struct gjk_progress {
-  uint32_t reports;       // written by this call
-  uint32_t pairs_left;    // not yet tested, and bodies whose motion is kept and that are not yet swept
-  uint32_t reports_left;  // not yet written
+  uint32_t reports;       // reports that this call wrote
+  uint32_t pairs_left;    // pairs that are not yet tested, plus bodies with kept motion that are not yet swept
+  uint32_t reports_left;  // reports that are not yet written
 } gjk_progress;
 
-// What the last update that tested all its pairs did. Each of its pairs is counted once: in resting, or in one of
-// filtered to cold. These numbers tell of work, not of answers: they depend on skips, caches, and the way that bodies
-// took.
+// What the last update that tested all its pairs did. Each pair is counted once: in resting, or in one of filtered to
+// cold. These numbers describe work, not answers. They depend on skips, caches, and the way that bodies took.
 typedef struct gjk_scene_stats {
   uint32_t bodies, parts;  // currently in the scene
   uint32_t pairs;          // tested or resting
-  uint32_t refused;        // boxes that came to meet and were not made a pair: both static, or category and mask
+  uint32_t refused;        // boxes that came to meet, but make no pair: both static, or kept apart by category and mask
   uint32_t resting;        // neither body moved - asleep, static or still: the last answer stands
   uint32_t filtered;       // refused by the predicate, or by a changed category or mask
   uint32_t motion;         // the motion since the last test is too small to change its answer
-  uint32_t boxes;          // exact boxes or, of a pair without curved shapes, bounding spheres are apart, or spheres
-                           // inside of it near
+  uint32_t boxes;          // exact boxes are apart. Without curved shapes also: bounding spheres are apart, or spheres
+                           // inside both parts are near
   uint32_t direction;      // the last separating direction still separates: one support scan
-  uint32_t warm, cold;     // queries, started from the cache or not
+  uint32_t warm, cold;     // queries that started from the cache, and without it
   uint32_t begun, persisting, ended;  // events of the update that tested all pairs
   uint32_t unsettled;                 // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
   uint32_t updates;                   // completed so far, modulo 2^32
@@ -93,7 +93,7 @@ typedef struct gjk_scene_stats {
 typedef struct gjk_scene_hit {
   gjk_body_id body;   // the body that has it
   uint16_t part;      // the part's number in its body
-  uint32_t fraction;  // of a way, in 2^-30, where it enters the part's box or meets the part, rounded down; otherwise 0
+  uint32_t fraction;  // of the way until it meets the part or its box, in 2^-30, rounded down; 0 where there is no way
   uint32_t user;      // the body's user word
 } gjk_scene_hit;
 
@@ -121,15 +121,15 @@ typedef enum gjk_draw_role {
   GJK_DRAW_WAY          // the way of a ray or cast, and the outlines at its ends
 } gjk_draw_role;
 
-// Of gjk_draw_scene and gjk2_draw_scene: what is drawn. Their sum draws all.
+// What gjk_draw_scene and gjk2_draw_scene draw. Their sum draws all.
 #define GJK_DRAW_SHAPES 1u
 #define GJK_DRAW_BOXES 2u
 #define GJK_DRAW_PAIRS 4u
 
-// The directions in which the outlines of curved and rounded shapes are looked at.
+// The number of directions in which outlines of curved and rounded shapes are sampled.
 #define GJK_DRAW_DIRECTIONS 24
 
-// Of gjk_slide: the most planes that it slides along in one call, the least gap that it keeps, and the most casts.
+// Limits of one gjk_slide: the most planes that it slides along, the least gap that it keeps, and the most casts.
 #define GJK_SLIDE_PLANES 4
 #define GJK_SLIDE_SKIN_MIN ((gjk_q16)16)
 #define GJK_SLIDE_CASTS 50

@@ -26,7 +26,7 @@ typedef enum gjk_cast_proof {
   GJK_CAST_PROOF_SHORT,     // miss: n w < 0 and n w < n t for every w
   GJK_CAST_PROOF_INSIDE,    // hit at the start; no pairs
   GJK_CAST_PROOF_FACET,     // hit: n w <= n w0 for every w, n t < 0, and the way passes through what the pairs span
-  GJK_CAST_PROOF_SWEPT      // with a radius or margin: A and all places of B come within it, or don't; no pairs
+  GJK_CAST_PROOF_SWEPT      // with a radius or margin: A and B swept along its way come within it, or not; no pairs
 } gjk_cast_proof;
 
 // Why the answer of a cast is right; see gjk_cast_proof.

@@ -58,7 +58,7 @@ typedef struct gjk_concave {
 //
 // parts     read only during the call; its data are the caller's and must outlive the shape.
 // out       the caller's, must outlive the shape.
-// shape     the caller's, for scenes alone: gjk_collider_init refuses it (UNSUPPORTED).
+// shape     the caller's, for scenes only: gjk_collider_init refuses it (UNSUPPORTED).
 // Box       that of all parts, with 64 LSB more on each side for the rounding of posing.
 // Statuses  those of gjk/parts.h. SIZE: a point of a part is more than GJK_CONCAVE_REACH from the origin, or more than
 //           GJK_RADIUS_MAX from the middle of the box.

@@ -35,7 +35,7 @@ typedef struct gjk_manifold {
 // The contact manifold of two shapes that overlap or are at most margin apart.
 //
 // a, b              posed colliders, read only; may be the same object.
-// margin            Q16.16, at least 0 (GJK_ERROR_NEGATIVE); points farther apart are left out.
+// margin            Q16.16, at least 0 (GJK_ERROR_NEGATIVE): the speculative margin. Points farther apart are left out.
 // most              the most contacts, 1 to 8 (GJK_ERROR_RANGE); 4 are enough for a solver.
 // cache, workspace  as in gjk_signed_distance, which is called first.
 // out               the caller's.

@@ -36,12 +36,11 @@ typedef struct gjk_distance_result {
 //           distance           rounded to the nearest LSB, ties up. A gap below 1/2 LSB is 0, without intersecting set
 //           points             each within 1 LSB of its shape; their gap is within 2 LSB of distance
 //           normal             within 2^-28
-//         Ties: several pairs of points may be equally near, as between parallel edges or faces. The choice is what a
-//         search among the vertices of those alone finds, from the lowest numbers on.
-//         Swapped shapes have the same distance. If the nearest points are unique, they move by at most 2 LSB, and the
-//         normal is opposite to within 4 LSB of Q2.30.
-//         Cylinder, cone, ellipsoid: distance and points within 2 LSB of the exact surface.
-//         More than 8192 units apart:
+//         Ties: several pairs of points may be equally near, as between parallel edges or faces. The answer is then
+//         that of a search among the vertices of those features only, which starts from the lowest numbers. Swapped
+//         shapes have the same distance. If the nearest points are unique, they move by at most 2 LSB, and the normal
+//         is opposite to within 4 LSB of Q2.30. Cylinder, cone, ellipsoid: distance and points within 2 LSB of the
+//         exact surface. More than 8192 units apart:
 //           distance           within 2^-28 of itself, or 2^-27 for curved shapes
 //           points             within 2^-27 of the distance; the gap along the normal is distance, to 2^-27
 // Cost    at most GJK_ITERATIONS_OF(n, m) iterations, or GJK_ITERATIONS_MAX with a curved shape (gjk/format.h). Stack:

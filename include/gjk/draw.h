@@ -1,7 +1,7 @@
 // Debug drawing: lines and points of colliders, boxes, contacts, casts and scenes, passed to your own functions.
 //
-// Nothing is stored, and a program links only what it calls. Lines are in the world frame, Q16.16; the arguments alone
-// fix their order. Coordinates beyond int32 are saturated. No line has length 0.
+// Nothing is stored, and a program links only what it calls. Lines are in the world frame, Q16.16. Their order depends
+// only on the arguments. Coordinates beyond int32 are saturated. No line has length 0.
 //
 // Outlines  Points, segments, triangles and boxes are drawn by their edges, hulls by the edges of their faces. Curved
 //           shapes, shapes with a convex radius, and hulls without faces are drawn by three silhouettes, one along each

@@ -97,8 +97,8 @@ typedef struct gjk_hull_simple {
 //            that of the bounding box (8 vertices) or of a tetrahedron around it. It is not the least: for a sphere of
 //            points, 32 vertices reach 14 % of the radius beyond, where 9 % is possible. Sharp corners are not cut off,
 //            so a vertex at one moves far.
-// Flat       points in a plane with more corners than most give that box or tetrahedron, and its distance from the
-//            corners. gjk2_polygon_order and a thin prism do better.
+// Flat       points in a plane with more than most corners give that box or tetrahedron, and excess is its distance
+//            from them. gjk2_polygon_order and a thin prism do better.
 // Statuses   NULL; EMPTY; SIZE: as gjk_hull_build; CAPACITY: bytes. RANGE: most, or workspace is not aligned. Also
 //            RANGE: the tetrahedron, up to three times as wide as the points, leaves int32.
 // Cost       the result's triangles times the hull's vertices, for each round of choosing and three times more.

@@ -45,7 +45,7 @@ typedef struct gjk_mass {
 //           gjk_hull_build finds faces for a hull without them, or use gjk_mass_of_hull.
 // Exact     triangles and hulls without a radius: volume, centre and inertia are correctly rounded, a half up. Others:
 //           the volume is within 0.51 cubic LSB and 2^-60 of itself, the inertia within 0.52 square LSB. The centre is
-//           exact. Only rounded triangles, hulls and cones have it within 2^-36 LSB before it is rounded down.
+//           exact, but for rounded triangles, hulls and cones. Theirs is within 2^-36 LSB before it is rounded down.
 // Flat      A shape without volume has its mass spread evenly over its area, its length or its one point. A flat box or
 //           cylinder has the limit of thin ones, a flat hull that of its outline.
 // Statuses  NULL; those of gjk_collider_init for the shape. UNSUPPORTED: a custom shape, a hull of more than three

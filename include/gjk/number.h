@@ -1,6 +1,6 @@
 // Fixed-point numbers for programs that use the library, in space and in the plane: products, quotients, roots, angles.
 //
-// Nothing here is undefined for any input: what leaves the range of its type becomes the end of that range. Errors are
+// Every input has a defined result: a value beyond the range of its type becomes the end of that range. Errors are
 // against real arithmetic on the same integers. tests/check/unit/test_numbers.c holds them; `make numbers` tries every
 // input of the functions of one number.
 #ifndef GJK_NUMBER_H
@@ -12,8 +12,8 @@
 extern "C" {
 #endif
 
-// a b and a / b, Q16.16, to the nearest; halves go away from zero. a / 0 is the end of the range on a's side, 0 / 0 is 0.
-// A division is a loop of 31 steps, without the core's divider.
+// The product a b and the quotient a / b, Q16.16, to the nearest; halves go away from zero. a / 0 is the end of the
+// range on a's side, and 0 / 0 is 0. A division is a loop of 31 steps, without the core's divider.
 gjk_q16 gjk_q16_multiply(gjk_q16 a, gjk_q16 b);
 gjk_q16 gjk_q16_divide(gjk_q16 a, gjk_q16 b);
 

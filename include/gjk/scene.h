@@ -9,14 +9,15 @@
 // header.
 //
 // What is reported of a pair is a function of shapes, poses, margins and configuration. It is what the queries answer
-// from a cold start, even where they find no answer. Skips and caches never change it. One case needs no query. A pair
-// with a curved or custom shape is apart where its exact boxes are farther apart along an axis than the margins.
+// from a cold start, even where they reach a ceiling. Skips and caches never change it. One case needs no query. A pair
+// with a curved or custom shape is apart if its exact boxes are farther apart along an axis than the margins.
 //
 // Lockstep peers need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration. Only
 // box_margin and retest_all may differ, and capacities that do not run out.
 //
 // Threads  calls for one scene may not overlap, but for gjk_scene_test_pairs and several queries at once.
-// Cost     a call that changes one body: O(log bodies + its parts). An update: the pairs of the bodies that moved.
+// Cost     a call that changes one body: O(log bodies + its parts). An update: of the order of the pairs of the bodies
+//          that moved.
 // Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
 #ifndef GJK_SCENE_H
 #define GJK_SCENE_H
@@ -41,7 +42,7 @@ typedef struct gjk_part {
 // A body to be added.
 typedef struct gjk_body_setup {
   gjk_pose pose;            // where it stands
-  const gjk_part *parts;    // read during the call alone
+  const gjk_part *parts;    // read only during the call
   uint16_t part_count;      // at least 1
   uint8_t kind;             // a gjk_body_kind; 0: static. Two static bodies are never tested, even when moved
   uint8_t detail;           // a gjk_detail; a pair gets the largest of the configuration's and its two bodies'
@@ -53,9 +54,9 @@ typedef struct gjk_body_setup {
 // What a scene holds and does.
 //
 // pairs            an update needs room for the pairs of parts that were near at the last update, and for those whose
-//                  boxes meet: the exact ones, each enlarged by its body's margin. Room for all that meet within
-//                  box_margin saves work.
-// workspace_cells  where they are too few for a depth, what is reported depends on their number: see gjk/penetration.h.
+//                  boxes meet. These are the exact boxes, each enlarged by its body's margin. Room for all that meet
+//                  within box_margin saves work.
+// workspace_cells  if they are too few for a depth, the report depends on their number: see gjk/penetration.h.
 typedef struct gjk_scene_config {
   uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX
   uint32_t parts;      // capacity: parts of all bodies together, from 1 to GJK_SCENE_BODIES_MAX
@@ -99,7 +100,10 @@ typedef struct gjk_scene {
   gjk_scene_bindings bindings;     // what else the program binds to it
 } gjk_scene;
 
-// Bytes of a block for so many bodies, parts and pairs, as a constant: static uint32_t block[GJK_SCENE_BYTES(8, 8, 16) / 4].
+// Bytes of a block for so many bodies, parts and pairs, as a constant.
+//
+//     static uint32_t block[GJK_SCENE_BYTES(8, 8, 16) / 4];
+//
 // Exact where config.detail is CONTACTS; another detail needs 24 bytes a pair less.
 #define GJK_SCENE_BYTES(bodies, parts, pairs)                                                 \
   (UINT32_C(296) + UINT32_C(60) * (bodies) + UINT32_C(4) * (((bodies) + UINT32_C(31)) / 32) + \
@@ -123,12 +127,14 @@ size_t gjk_scene_bytes(const gjk_scene_config *config);
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
                           const gjk_shape *const *shapes, uint16_t shape_count, const gjk_scene_bindings *bindings);
 
-// Bodies. A call that fails changes nothing. Statuses: BODY_ID for an id that is stale or was never given; BUSY for a
-// change between the first slice of an update and its last report.
+// Bodies. A call that fails changes nothing. Statuses: BODY_ID for an id that is stale or was never given. BUSY: an
+// update has begun, and its last report is not yet written.
 
-// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up); RANGE (a field, or
-// a part that leaves int32, or category and mask both 0, as in a setup that was only zeroed); UNSUPPORTED (detail asks for
-// what bindings.details lacks); EMPTY (no parts); ROTATION; and those of gjk_collider_init.
+// Adds a body to the lowest free slot.
+//
+// Statuses  CAPACITY: bodies, parts or own poses are used up. RANGE: a field is outside its range, or a part leaves
+//           int32. Also RANGE: category and mask are both 0, as in a setup that was only zeroed. UNSUPPORTED: detail
+//           asks for what bindings.details lacks. EMPTY: no parts. ROTATION. Also those of gjk_collider_init.
 gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out);
 
 // Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken or
@@ -138,7 +144,8 @@ gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setu
 // Removes a body. The next update reports the end of its pairs that were near.
 gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id);
 
-// Takes a body to its next pose, and wakes it. Two static bodies are not tested even then. Statuses as gjk_collider_pose.
+// Takes a body to its next pose, and wakes it. Two static bodies are not tested even then. Statuses as
+// gjk_collider_pose.
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
 // As gjk_scene_move, for a body that will not go on moving the same way. Only boxes in the tree differ, never answers.
@@ -149,25 +156,26 @@ gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id);
 gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 
-// Keeps where a body is at each update, so that fast bodies are swept against it along its way; or sweeps it, too.
+// Keeps a body's pose of the last update, so that fast bodies are swept against its motion. GJK_MOTION_FAST also sweeps
+// the body itself.
 //
-// motion    a gjk_body_motion. What is kept starts at the pose that the body has now. A teleport starts it anew.
-// Way       from the pose at the last update to that at the next one: the position in a straight line, the rotation along
-//           the shortest arc. A body whose motion is not kept stands where it is at the next update.
-// Impact    of each fast body that moved, or is awake, the next update reports the part that it touches first, among
-//           equal fractions the lowest (slot, part) of b, then of a. Margins do not count. Kinds, category, mask and the
-//           predicate do. Parts that touch at the start are no impact if they were near at the last update, and those of
-//           bodies that both stand are none.
-// fraction  where neither part turns, that of gjk_cast from where both were; otherwise the lower one of
-//           gjk_time_of_impact with GJK_IMPACT_TOLERANCE_MIN. A sphere, circle or point at its body's origin does not turn.
-// Unsettled  A cast or time of impact may reach its ceiling, or a way of one against the other be 2^32 LSB or longer.
-//           Then the impact counts at a proven lower fraction.
-// Statuses  RANGE (motion, a static body, or a sensor), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
-//           motions are kept, gjk_scene_remove and gjk_scene_teleport of such a body need it, too.
+// motion    a gjk_body_motion. The motion begins at the pose that the body has now. A teleport begins it anew.
+// Way       from the pose at the last update to that at the next one. The position moves in a straight line, and the
+//           rotation along the shortest arc. A body without kept motion stands where it is at the next update.
+// Impact    For each fast body that moved, or is awake, the next update reports the part that it touches first. Ties go
+//           to the lowest (slot, part) of b, then of a. Kinds, category, mask and the predicate count; margins do not.
+// Start     Parts that touch at the start are no impact if they were near at the last update, or if neither body moves.
+// fraction  If neither part turns, that of gjk_cast from where both were. Otherwise the lower fraction of
+//           gjk_time_of_impact with GJK_IMPACT_TOLERANCE_MIN. A sphere or point at its body's origin does not turn.
+// Open      A cast or time of impact may reach its ceiling. Or the way of one against the other may be 2^32 LSB or
+//           longer. Then the impact is reported at a proven lower fraction.
+// Statuses  RANGE (motion, a static body, or a sensor), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is
+//           NULL. gjk_scene_remove and gjk_scene_teleport of a body with kept motion need that binding, too.
 gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion);
 
-// Where a body whose motion is kept was at the last update, or where a teleport has put it since. With where it is now that
-// is its motion: ask before the next update how a platform carries what stands on it. UNSUPPORTED: its motion is not kept.
+// The pose of a body with kept motion at the last update, or where a teleport has put it since. From there to its pose
+// now is its motion, by which a platform carries what stands on it. Ask before the next update. UNSUPPORTED: no kept
+// motion.
 gjk_status gjk_scene_last_pose(const gjk_scene *scene, gjk_body_id id, gjk_pose *out);
 
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
@@ -176,7 +184,7 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, 
 // Sets a body's category and mask.
 gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id id, uint32_t category, uint32_t mask);
 
-// Sets a body's user word. If it differs, gjk_scene_refilter follows, because the predicate is given that word.
+// Sets a body's user word. A different word implies gjk_scene_refilter, because the predicate is given that word.
 gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id id, uint32_t user);
 
 // Makes the next update ask the predicate about all pairs of the body again.
@@ -204,35 +212,37 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 
 // Updates.
 
-// One pair of parts. a has the lower slot; of an IMPACT it is the fast body.
+// One pair of parts. a has the lower slot; in an IMPACT it is the fast body.
 //
-// distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk_distance; DEPTH: as gjk_signed_distance, negative for a
-//           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
-// manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts. The i-th report of a call has
+// distance  set in BEGIN and PERSIST, by detail. DISTANCE: as gjk_distance; DEPTH: as gjk_signed_distance, negative for
+//           a depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
+// manifold  set in BEGIN and PERSIST with CONTACTS: up to 4 contacts. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
-// still     since the pair's last report no call has moved or changed a body of it. So distance and manifold are, bit for
-//           bit, what they were then. With bindings.keeps_manifolds the manifold is NULL, and with CONTACTS distance is
-//           0. Such a program sets that once it has a manifold of each near pair, and saves these with the block. It tells
-//           of calls: a move to the same pose is none. Not in the hash, because it changes no answer.
-// words     config.pair_words words in the block, for the caller to write: impulses to start a solver from, or times.
-//           They are 0 at BEGIN, and stay as they are written until the pair's END has been reported. They go with
-//           saves and copies, and count in gjk_scene_hash: peers must write the same, so no addresses. A write breaks a
-//           seal. Valid while the pair is near; at END until the next update begins. NULL: none configured, or an IMPACT.
+// still     set in PERSIST: since the pair's last report no call has moved or changed one of its bodies. So distance
+//           and manifold are, bit for bit, what they were then. A move to the pose that a body has changes nothing; a
+//           move away and back counts as one. still is not hashed, because it changes no answer.
+// Keeping   With bindings.keeps_manifolds, a report that is still has no manifold, and with CONTACTS its distance is 0.
+//           Set it once the program has a manifold of each near pair, and save these with the block.
+// words     config.pair_words words in the block, for the caller to write, such as impulses to warm start a solver.
+//           They are 0 at BEGIN, and stay as written until the pair's END has been reported. They go with saves and
+//           copies, and count in gjk_scene_hash. So peers must write the same words, and no addresses. A write breaks a
+//           seal. The pointer is valid while the pair is near, and at END until the next update begins. NULL: none
+//           configured, or an IMPACT.
 typedef struct gjk_report {
   gjk_body_id a, b;         // the bodies
   uint32_t user_a, user_b;  // their user words; 0 of one that was removed
   uint16_t part_a, part_b;  // numbers of their parts
   uint8_t event;            // a gjk_event
   uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
-  bool still;               // of PERSIST: nothing has changed since the last report, see above
+  bool still;               // in PERSIST: nothing has changed since the last report, see above
   gjk_q16 distance;
   const gjk_manifold *manifold;
   uint32_t *words;
   gjk_q30 fraction;  // of IMPACT, see gjk_scene_set_motion; otherwise 0
 } gjk_report;
 
-// Finds which pairs are near, and what fast bodies touch. Reports are in the order of (slot, generation, part) of a,
-// then of b. Those of impacts follow all others, in the order of a.
+// Finds which pairs are near, and what fast bodies touch first. Reports are in the order of (slot, generation, part) of
+// a, then of b. Those of impacts follow all others, in the order of a.
 //
 // reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
 // Statuses  CAPACITY: config.pairs is too small, see there. The update has not begun; it begins once bodies are moved
@@ -240,17 +250,17 @@ typedef struct gjk_report {
 //           UNSUPPORTED: the configuration or a body asks for a detail that bindings.details lacks, or for depths while
 //           bindings.workspace has fewer cells than config.workspace_cells. Or motions are kept and bindings.motion is
 //           NULL. Nothing is done.
-// Unsettled  A query may reach its ceiling on iterations: of curved or custom shapes alone. Then the pair counts as
+// Unsettled  A query of curved or custom shapes may reach its ceiling on iterations. Then the pair counts as
 //           near, at the proven lower bound, and its manifold is zero. A workspace may be too small for a depth: then
 //           the distance is minus a depth that is enough. gjk_scene_stats.unsettled counts both.
 gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
 
-// As gjk_scene_update, but this call tests at most tests pairs and fast bodies, for firmware with a deadline. The first slice
-// matches all boxes.
+// As gjk_scene_update, but this call tests at most tests pairs and fast bodies, for firmware with a deadline. The first
+// slice matches all boxes.
 gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *reports, uint32_t capacity,
                                   gjk_progress *progress);
 
-// Takes a report; it holds during the call alone.
+// Takes a report, which is valid only during the call.
 typedef void gjk_report_function(void *user, const gjk_report *report);
 
 // As gjk_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
@@ -265,13 +275,13 @@ gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function
 gjk_status gjk_scene_update_begin(gjk_scene *scene, uint32_t *pairs);
 gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
 
-// Spread fast bodies over threads as well, once every pair is tested: count says of how many bodies motion is kept. Then
-// threads sweep disjoint ranges of them at the same time. Statuses as gjk_scene_test_pairs.
+// Spread fast bodies over threads as well, once every pair is tested: count is the number of bodies whose motion is
+// kept. Then threads sweep disjoint ranges of them at the same time. Statuses as gjk_scene_test_pairs.
 gjk_status gjk_scene_sweep_count(const gjk_scene *scene, uint32_t *count);
 gjk_status gjk_scene_sweep(gjk_scene *scene, uint32_t first, uint32_t end);
 
-// Iterates over the pairs near at the last update, in unspecified order. Start with *cursor 0; *found is false at the end.
-// The event is PERSIST, or END if a body has been removed since.
+// Iterates over the pairs near at the last update, in unspecified order. Start with *cursor 0; *found is false at the
+// end. The event is PERSIST, or END if a body has been removed since.
 gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found);
 
 // The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
@@ -311,20 +321,25 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 
 // Lockstep and saving.
 
-// A 64-bit hash of everything that affects later answers. It counts the configuration, but not capacities, box_margin or
-// retest_all, and the build's GJK_ITERATIONS_MAX. So are bodies and their kept motions, pairs near at the last update
-// and their words, and the number of updates. Tree and caches do not count: a copy whose caches
-// are zeroed goes on with the same answers. BUSY during an update.
+// A 64-bit hash of everything that affects later answers.
+//
+// Counted   the configuration but for capacities, box_margin and retest_all; the build's GJK_ITERATIONS_MAX; bodies and
+//           their kept motions; pairs near at the last update and their words; the number of updates.
+// Left out  tree and caches: a copy whose caches are zeroed goes on with the same answers.
+// Statuses  BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
-// Writes a checksum into the block. It holds until a call changes the scene. For blocks stored in a file or sent over a network.
+// Writes a checksum into the block, for blocks stored in a file or sent over a network. The next change breaks it.
 gjk_status gjk_scene_seal(gjk_scene *scene);
 
-// Opens a sealed block from any source. Checks its header, byte order and checksum, and everything that
-// gjk_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk_scene_init.
-// Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with other ceilings on iterations;
-// CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are
-// the same; CORRUPT where a part's box or pose shows that they are not.
+// Opens a sealed block from any source. Checks its header, byte order and checksum, and everything that gjk_scene_check
+// does. So no later call reads or writes outside of the block.
+//
+// scene, bindings  as in gjk_scene_init.
+// shapes           the same shapes as before; the caller promises that.
+// Statuses         CORRUPT: damaged, or of another GJK_SCENE_BLOCK_VERSION, or of a build with other ceilings on
+//                  iterations. Also CORRUPT: a part's box or pose shows that the shapes are others. CAPACITY (bytes).
+//                  RANGE: not aligned, or a shape index that the table lacks.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
                           uint16_t shape_count, const gjk_scene_bindings *bindings);
 

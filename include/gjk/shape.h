@@ -39,7 +39,8 @@ extern const gjk_shape_class gjk_class_custom;
 //            true farthest one, decisions and distances are right to within e LSB more.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
-// The faces of a hull: convex polygons of 3 to GJK_FACE_CORNERS_MAX corners. Only contact manifolds need them.
+// The faces of a hull: convex polygons of 3 to GJK_FACE_CORNERS_MAX corners. Contacts, mass properties and drawing use
+// them.
 typedef struct gjk_hull_faces {
   const uint16_t *corner;  // vertices of all faces, one face after the other, each counterclockwise seen from outside
   const uint16_t *end;     // end[i]: where face i ends in corner

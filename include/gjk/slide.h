@@ -1,8 +1,8 @@
-// Move and slide: how a character gets through a scene. It goes as far as it can, slides along what it meets, climbs low
-// steps and stands on the ground.
+// Move and slide: how a character gets through a scene. It goes as far as it can, slides along what it meets, climbs
+// low steps and stands on the ground.
 //
-// It is made of casts of gjk/probe.h. So it is as exact as they are, passes through nothing however far it goes, and
-// depends on poses alone. It changes neither scene nor collider.
+// A slide is made of casts of gjk/probe.h. So it is as exact as they are, passes through nothing however far it goes,
+// and depends on poses alone. It changes neither the scene nor the collider.
 #ifndef GJK_SLIDE_H
 #define GJK_SLIDE_H
 
@@ -15,10 +15,10 @@ extern "C" {
 // Lengths Q16.16.
 typedef struct gjk_slide_setup {
   gjk_unit3 up;   // Q2.30, a unit vector within 2^-16 (ROTATION)
-  gjk_q30 slope;  // it stands on what is met with a normal whose cosine with up is at least this: 0 to GJK_Q30_ONE
-  gjk_q16 skin;   // the gap to all else that it keeps: GJK_SLIDE_SKIN_MIN to one unit
-  gjk_q16 step;   // how high it climbs: 0, not at all, to GJK_RADIUS_MAX
-  gjk_q16 reach;  // how far below it ground is looked for: 0, not at all, to GJK_RADIUS_MAX
+  gjk_q30 slope;  // the least cosine between up and the normal of what it can stand on: 0 to GJK_Q30_ONE
+  gjk_q16 skin;   // the gap that it keeps to everything: GJK_SLIDE_SKIN_MIN to one unit
+  gjk_q16 step;   // the highest step that it climbs: 0, none, to GJK_RADIUS_MAX
+  gjk_q16 reach;  // how far below it looks for ground: 0, not at all, to GJK_RADIUS_MAX
   bool snap;      // true: it goes down to that ground
   const gjk_scene_filter *filter;  // what counts; NULL: all. Use it to leave out the character's own body
 } gjk_slide_setup;
@@ -32,25 +32,26 @@ typedef struct gjk_slide_plane {
 // Where the collider gets, and what it met.
 typedef struct gjk_slide_result {
   gjk_vec3 position;                        // of the collider's pose, where it gets
-  gjk_vec3 left;                            // what is left of the way, along the planes, when their number is used up
+  gjk_vec3 left;                            // rest of the way, if stuck or once GJK_SLIDE_PLANES are met
   gjk_slide_plane plane[GJK_SLIDE_PLANES];  // that it slid along, in this order
-  uint8_t count;                            // of planes
+  uint8_t count;                            // number of planes
   bool on_ground;                           // it stands on something
   gjk_slide_plane ground;                   // set if on_ground
   bool stepped;                             // it climbed a step
-  bool stuck;     // it overlaps something from the start, and was not moved; after ITERATION_LIMIT, or may
-  uint8_t casts;  // how many it took
+  bool stuck;     // it overlaps something at the start, or after ITERATION_LIMIT may do so, and was not moved
+  uint8_t casts;  // number of casts that it took
 } gjk_slide_result;
 
 // Moves a collider towards to.
 //
 // collider  posed; of any kind, made for capsules and boxes. Where it touches something, or is nearer than the skin, it
 //           first goes away from there.
-// to        where its position would go if there was nothing: less than 2^29 LSB away along each axis (RANGE).
+// to        its position at the end if nothing is in the way: less than 2^29 LSB away along each axis (RANGE).
 // out       the caller's.
 // Cost      at most GJK_SLIDE_CASTS casts.
 // Statuses  NULL, UNINITIALISED, RANGE (setup, way, or the centre leaves int32), ROTATION: out is as it was.
-//           ITERATION_LIMIT: a cast against a curved shape has no answer. out is set; it stopped before that.
+//           ITERATION_LIMIT: a cast against a curved shape reached its ceiling. out is set; the collider stopped before
+//           that shape.
 gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to,
                      const gjk_slide_setup *setup, gjk_slide_result *out);
 

@@ -9,8 +9,8 @@
 #define GJK_VERSION_PATCH 0
 
 // The bits: builds of one GJK_BITS_VERSION and one GJK_ITERATIONS_MAX answer the same calls with the same integers,
-// whatever the compiler, target and port. Iterations and certificates alone may differ, since they tell of the way. A
-// release that changes one bit of one answer raises the number. Lockstep peers and replays compare it.
+// whatever the compiler, target and port. Only iterations and certificates may differ, since they describe the search.
+// A release that changes one bit of one answer raises the number. Lockstep peers and replays compare it.
 // tests/check/target/golden.h holds hashes of answers for it.
 //
 // Scene blocks have a version of their own, GJK_SCENE_BLOCK_VERSION of gjk/scene.h.

@@ -1,5 +1,5 @@
-// Shapes of the plane by functions, for languages that call the library without a C compiler: what gjk/bind.h is in space.
-// Its gjk_size_of and gjk_constant know the structures and constants of the plane, too.
+// Shapes of the plane by functions, for languages that call the library without a C compiler. gjk/bind.h is the same
+// for space; its gjk_size_of and gjk_constant know the structures and constants of the plane, too.
 #ifndef GJK2_BIND_H
 #define GJK2_BIND_H
 
@@ -13,11 +13,11 @@ extern "C" {
 
 // Each makes what the macro of its name makes: gjk2_shape_box that of GJK2_ROUNDED_BOX.
 //
-// radius    the convex radius, Q16.16, at least 0: 0 makes GJK2_BOX of it, a point with one is GJK2_CIRCLE, a segment
-//           GJK2_CAPSULE.
+// radius    the convex radius, Q16.16, at least 0. A box with 0 is GJK2_BOX, a point with a radius is GJK2_CIRCLE, a
+//           segment with one is GJK2_CAPSULE.
 // out       written when the result is GJK_OK. What a shape points to stays the caller's, and must outlive it.
 // Statuses  those of gjk2_collider_init for the shape: NULL, NEGATIVE, SIZE, EMPTY, RANGE.
-// Cost      of gjk2_collider_init.
+// Cost      that of gjk2_collider_init.
 gjk_status gjk2_shape_point(gjk_q16 radius, gjk2_shape *out);
 gjk_status gjk2_shape_segment(gjk_q16 half, gjk_q16 radius, gjk2_shape *out);
 gjk_status gjk2_shape_triangle(const gjk2_vec *vertices3, gjk_q16 radius, gjk2_shape *out);

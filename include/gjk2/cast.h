@@ -83,7 +83,7 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
 // Proves a result of gjk2_cast from its certificate: hit or miss, and the fraction of shapes without radius and margin.
 //
 // Points, normal and rest positions are proven to follow from the certificate. If the bounding circles do not meet on
-// the way, the certificate is not looked at.
+// the way, the certificate is not checked.
 //
 // Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: a curved shape. With a
 //           radius or margin also: the way is 2^30 LSB or longer along an axis, or centres are as far apart.

@@ -1,7 +1,7 @@
 // Debug drawing in the plane: lines and points of colliders, boxes, contacts, casts and scenes, for your functions.
 //
-// Nothing is stored, and a program links only what it calls. Lines are in the world frame, Q16.16; the arguments alone
-// fix their order. Coordinates beyond int32 are saturated. No line has length 0.
+// Nothing is stored, and a program links only what it calls. Lines are in the world frame, Q16.16. Their order depends
+// only on the arguments. Coordinates beyond int32 are saturated. No line has length 0.
 //
 // Outlines  Points, segments, triangles, boxes and ordered polygons are drawn by their edges. Curved shapes, shapes
 //           with a convex radius, and other polygons are drawn by one polygon. Its corners are the surface points

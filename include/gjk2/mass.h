@@ -27,8 +27,8 @@ typedef struct gjk2_mass {
 //           rounded or not, must be as gjk2_polygon_order writes them, convex and counterclockwise, or have at most two
 //           vertices.
 // Exact     triangles and polygons without a radius: area, centre and inertia are correctly rounded, a half up. Others:
-//           area and inertia are within 0.51 square LSB. The centre is exact. Only rounded triangles and polygons have
-//           it within 2^-36 LSB before it is rounded down, and even there symmetry keeps it exact.
+//           area and inertia are within 0.51 square LSB. The centre is exact, but for rounded triangles and polygons
+//           without symmetry. Theirs is within 2^-36 LSB before it is rounded down.
 // Flat      A shape without area has its mass spread evenly over its length or its one point.
 // Statuses  NULL; those of gjk2_collider_init for the shape. UNSUPPORTED: a custom shape, a polygon that is not as
 //           above, or a rounded ellipse. The length of an ellipse has no closed form; use a rounded polygon instead.

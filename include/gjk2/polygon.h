@@ -9,11 +9,11 @@
 extern "C" {
 #endif
 
-// Writes the corners of the convex hull of points, counterclockwise, from the lowest (the leftmost of several)
-// on. Points inside, repeated points and points within an edge are left out. So points in a line give two corners, and
-// a single point gives itself.
+// Writes the corners of the convex hull of points, counterclockwise from the lowest (the leftmost of several). Points
+// inside, repeated points and points within an edge are left out. So points in a line give two corners, and a single
+// point gives itself.
 //
-// points     count of them, in any order, Q16.16, any int32_t.
+// points     count points, in any order, Q16.16, any int32_t.
 // out        room for count points; may be points itself, but must not overlap it otherwise.
 // out_count  how many corners there are, at least 1.
 // Exact      no tolerance: three points in a line are so by their integers.

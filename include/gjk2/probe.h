@@ -15,25 +15,25 @@
 extern "C" {
 #endif
 
-// Finds the part that the segment between two points enters first: the least (fraction, slot, part).
+// Finds the part that the segment between two points enters first, by (fraction, slot, part).
 //
-// filter  which parts count; NULL: all.
-// found   whether there is one. hit and result are written only then; result is that of gjk2_cast_ray of that part.
-// Statuses  ITERATION_LIMIT: the cast of the first hit has no answer. hit holds a fraction before which nothing is met, and
-//           the part that may be met there; result is not written.
+// filter    which parts count; NULL: all.
+// found     whether there is one. Only then hit and result are written. result is that of gjk2_cast_ray for that part.
+// Statuses  ITERATION_LIMIT: the cast of the first hit reached its ceiling. hit holds a fraction before which nothing
+//           is met, and the part that may be met there; result is not written.
 gjk_status gjk2_scene_cast_ray(const gjk2_scene *scene, const gjk2_vec *from, const gjk2_vec *to,
                                const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk2_cast_result *result,
                                bool *found);
 
-// Finds all parts that it meets, in the order of (fraction, slot, part), with the fractions of gjk2_cast_ray. Where a cast
-// has no answer the part counts as met, at a fraction before which it is not. after, hits and count as in
-// gjk2_scene_query_box.
+// Finds all parts that the segment meets, in the order of (fraction, slot, part), with the fractions of gjk2_cast_ray.
+// If a cast reaches its ceiling, the part is reported at a fraction before which it is not met. after, hits and count
+// are as in gjk2_scene_query_box.
 gjk_status gjk2_scene_cast_ray_all(const gjk2_scene *scene, const gjk2_vec *from, const gjk2_vec *to,
                                    const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
                                    uint32_t capacity, uint32_t *count);
 
-// As gjk2_scene_cast_ray, for a collider whose pose's position goes straight to another place. Result is that of gjk2_cast
-// with the part as A, which stands.
+// As gjk2_scene_cast_ray, for a collider that moves in a straight line until its position is to. result is that of
+// gjk2_cast with the part as A, which stands still.
 //
 // collider  posed.
 // margin    the gap at which shapes count as touching.
@@ -46,9 +46,9 @@ gjk_status gjk2_scene_cast_all(const gjk2_scene *scene, const gjk2_collider *col
                                gjk_q16 margin, const gjk_scene_filter *filter, const gjk_scene_hit *after,
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
-// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part). Where reach is 0, it
-// finds those that share a point with it. As gjk2_within decides; where it reaches its ceiling, the part counts as
-// near. after, hits and count as in gjk2_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
+// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part). With reach 0 these
+// are the parts that share a point with it. gjk2_within decides; if it reaches its ceiling, the part counts as near.
+// after, hits and count are as in gjk2_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
 gjk_status gjk2_scene_query_within(const gjk2_scene *scene, const gjk2_collider *collider, gjk_q16 reach,
                                    const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
                                    uint32_t capacity, uint32_t *count);
