@@ -122,7 +122,7 @@ HOSTED_OPT := -O2
 
 .PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-platform demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults prove-checker prove-checker-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all:
-	+@$(PARALLEL) lib build/gjk-query build/gjk-convert build/gjk-demo
+	+@$(PARALLEL) lib build/gjk-query build/gjk-convert build/gjk-demo build/hosted/port/hosted/gjk_hosted.o
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
 # that make builds these files again just then.
