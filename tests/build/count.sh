@@ -161,8 +161,7 @@ level_library() {
 }
 
 level_sources() {
-  needed tests/measure/target/size_user.c tests/measure/target/size_user_plane.h tests/check/target/levels.c \
-    tests/check/target/plane_levels.c
+  needed tests/measure/target/size_user.c tests/check/target/levels.c tests/check/target/plane_levels.c
 }
 
 # The library's objects for WebAssembly, alone, in WASM_OBJECTS.

@@ -19,7 +19,7 @@ cell() {
   shift 3
   # shellcheck disable=SC2086
   $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -Iport -I. \
-    -Itests/measure/target "-DUSER_$kind" "-DUSER_$query" "$@" tests/measure/target/size_user.c $board \
+    -Itests/support "-DUSER_$kind" "-DUSER_$query" "$@" tests/measure/target/size_user.c $board \
     "build/cortex-m3$variant-Os$(level_suffix "$level")/libgjk.a" -lgcc -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
     "-Wl,-Map=$name.map" -o "$name.elf" || return 1
   arm-none-eabi-size "$name.elf" | awk 'NR == 2 { print $1 + $2 }'

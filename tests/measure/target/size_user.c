@@ -5,17 +5,48 @@
 //   USER_TOUCH, USER_DISTANCE, USER_DEPTH, USER_CONTACTS, USER_CAST, USER_IMPACT  the query
 //   USER_SCENE            instead of it a scene of such shapes with contacts
 //   USER_PLANE            all that in the plane
-#ifdef USER_PLANE
-#include "size_user_plane.h"
-#else
 #include "board/board.h"
+
+#ifdef USER_PLANE
+#include "scene/plane_names.h"
+
+#define gjk_penetration_result gjk2_penetration_result
+#undef GJK_IMPACT_TOLERANCE_MIN
+#define GJK_IMPACT_TOLERANCE_MIN GJK2_IMPACT_TOLERANCE_MIN
+#undef GJK_SCENE_BYTES
+#define GJK_SCENE_BYTES GJK2_SCENE_BYTES
+#define TO \
+  { 9, 9 }
+#define ask_depth(out) gjk2_penetration(&a, &b, NULL, out)
+#define ask_contacts(out) gjk2_contacts(&a, &b, 1, 2, NULL, out)
+
+#if defined(USER_HULLS) || defined(USER_ALL)
+static const gjk2_vec corners[] = {{0, 0}, {9, 0}, {0, 9}};
+#endif
+#if defined(USER_SPHERES)
+static const gjk2_shape one = GJK2_CIRCLE(3), other = GJK2_CIRCLE(4);
+#elif defined(USER_CAPSULES)
+static const gjk2_shape one = GJK2_CIRCLE(3), other = GJK2_CAPSULE(3, 4);
+#elif defined(USER_BOXES)
+static const gjk2_shape one = GJK2_BOX(3, 4), other = GJK2_ROUNDED_BOX(1, 2, 4);
+#elif defined(USER_HULLS)
+static const gjk2_shape one = GJK2_POLYGON(corners, 3), other = GJK2_ROUNDED_BOX(1, 2, 4);
+#else
+static const gjk2_shape one = GJK2_POLYGON(corners, 3), other = GJK2_ELLIPSE(3, 4);
+#endif
+
+#else
 #include "gjk/gjk.h"
 #include "gjk/scene.h"
+
+#define TO \
+  { 9, 9, 9 }
+#define ask_depth(out) gjk_penetration(&a, &b, NULL, NULL, out)
+#define ask_contacts(out) gjk_contacts(&a, &b, 1, 4, NULL, NULL, out)
 
 #if defined(USER_HULLS) || defined(USER_ALL)
 static const gjk_vec3 corners[] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
 #endif
-
 #if defined(USER_SPHERES)
 static const gjk_shape one = GJK_SPHERE(3), other = GJK_SPHERE(4);
 #elif defined(USER_CAPSULES)
@@ -26,6 +57,7 @@ static const gjk_shape one = GJK_BOX(3, 4, 5), other = GJK_ROUNDED_BOX(1, 2, 3, 
 static const gjk_shape one = GJK_HULL(corners, 4), other = GJK_ROUNDED_BOX(1, 2, 3, 4);
 #else
 static const gjk_shape one = GJK_HULL(corners, 4), other = GJK_CYLINDER(3, 4);
+#endif
 #endif
 
 #ifdef USER_SCENE
@@ -68,12 +100,12 @@ static int ask(void) {
   return gjk_distance(&a, &b, NULL, &out) + out.distance;
 #elif defined(USER_DEPTH)
   gjk_penetration_result out;
-  return gjk_penetration(&a, &b, NULL, NULL, &out) + out.intersecting;
+  return ask_depth(&out) + out.intersecting;
 #elif defined(USER_CONTACTS)
   static gjk_manifold out;
-  return gjk_contacts(&a, &b, 1, 4, NULL, NULL, &out) + out.count;
+  return ask_contacts(&out) + out.count;
 #elif defined(USER_CAST)
-  static const gjk_vec3 to = {9, 9, 9};
+  static const gjk_vec3 to = TO;
   const gjk_cast_path path = {NULL, &to, 1};
   gjk_cast_result out;
   return gjk_cast(&a, &b, &path, &out) + out.hit;
@@ -90,5 +122,4 @@ int firmware_main(void) {
   return gjk_collider_init(&a, &one, NULL, 0) != GJK_OK || gjk_collider_init(&b, &other, NULL, 0) != GJK_OK ||
          gjk_collider_pose(&a, &pose) != GJK_OK || gjk_collider_pose(&b, &pose) != GJK_OK || ask();
 }
-#endif
 #endif
