@@ -1,5 +1,5 @@
 // Mass properties of rounded hulls, triangles, segments and cones: closed forms; bodies cut in two, whose moments add up;
-// rays from inside; and what turning, moving and renumbering must not change.
+// and what turning, moving and renumbering must not change.
 #include <math.h>
 #include <stdlib.h>
 
@@ -226,123 +226,6 @@ static void test_cut(uint64_t seed) {
   CHECK_MSG(convex > 60, "%u", convex);
 }
 
-// The distance of a point from the triangle a, b, c.
-static double distance_to(const double q[3], double t[3][3]) {
-  double best = 1e300, e[3][3], n[3], size = 0, side = 0;
-  bool within = true;
-  for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      e[i][k] = t[(i + 1) % 3][k] - t[i][k];
-    }
-  }
-  for (int k = 0; k < 3; k++) {
-    const int l = (k + 1) % 3, m = (k + 2) % 3;
-    n[k] = e[0][l] * e[1][m] - e[0][m] * e[1][l];
-    size += n[k] * n[k];
-    side += n[k] * (q[k] - t[0][k]);
-  }
-  for (int i = 0; i < 3; i++) {
-    double along = 0, length = 0, turn = 0, d = 0;
-    for (int k = 0; k < 3; k++) {
-      const int l = (k + 1) % 3, m = (k + 2) % 3;
-      along += e[i][k] * (q[k] - t[i][k]);
-      length += e[i][k] * e[i][k];
-      turn += n[k] * (e[i][l] * (q[m] - t[i][m]) - e[i][m] * (q[l] - t[i][l]));
-    }
-    within = within && turn >= 0;
-    const double part = fmin(1, fmax(0, along / length));
-    for (int k = 0; k < 3; k++) {
-      const double rest = q[k] - t[i][k] - part * e[i][k];
-      d += rest * rest;
-    }
-    best = fmin(best, sqrt(d));
-  }
-  return within ? fmin(best, fabs(side) / sqrt(size)) : best;
-}
-
-// Is the place within r of the hull? Inside it is below all faces.
-static bool is_within(const double q[3], double r) {
-  bool inside = true;
-  double nearest = 1e300;
-  for (unsigned face = 0; face < out.faces.count; face++) {
-    const unsigned first = face == 0 ? 0u : out.end[face - 1];
-    for (unsigned i = first + 1; i + 1 < out.end[face]; i++) {
-      const gjk_vec3 *const corner[3] = {&out.vertex[out.corner[first]], &out.vertex[out.corner[i]],
-                                         &out.vertex[out.corner[i + 1]]};
-      double t[3][3], side = 0;
-      for (int j = 0; j < 3; j++) {
-        t[j][0] = corner[j]->x;
-        t[j][1] = corner[j]->y;
-        t[j][2] = corner[j]->z;
-      }
-      for (int k = 0; k < 3; k++) {
-        const int l = (k + 1) % 3, m = (k + 2) % 3;
-        side +=
-            ((t[1][l] - t[0][l]) * (t[2][m] - t[0][m]) - (t[1][m] - t[0][m]) * (t[2][l] - t[0][l])) * (q[k] - t[0][k]);
-      }
-      inside = inside && side <= 0;
-      nearest = fmin(nearest, distance_to(q, t));
-    }
-  }
-  return inside || nearest <= r;
-}
-
-#define RAYS 3000
-
-// How far a ray leaves the rounded hull, for directions evenly spread: all moments follow, to some 1e-3.
-static void test_rays(uint64_t seed) {
-  random_state random = random_seed(seed + 2);
-  for (unsigned long trial = 0; trial < 6; trial++) {
-    const double r = trial % 2 == 0 ? 30000 : 4000;
-    double middle[3] = {0, 0, 0}, volume = 0, first[3] = {0, 0, 0}, second[6] = {0, 0, 0, 0, 0, 0};
-    gjk_mass m;
-    p.count = 0;
-    check_trial(trial, hull_points_print, &p);
-    for (unsigned i = 0; i < 4 + trial; i++) {
-      hull_points_add(&p, random_range(&random, -40000, 40000), random_range(&random, -40000, 40000),
-                      random_range(&random, -40000, 40000));
-      middle[0] += p.point[i].x / (4.0 + (double)trial);
-      middle[1] += p.point[i].y / (4.0 + (double)trial);
-      middle[2] += p.point[i].z / (4.0 + (double)trial);
-    }
-    CHECK(mass_of_points((int32_t)r, &m) && out.hull.dimension == 3);
-    const double each = 4 * acos(-1.0) / RAYS;
-    for (int i = 0; i < RAYS; i++) {
-      const double z = (2 * i + 1.0) / RAYS - 1, w = sqrt(1 - z * z), angle = 2.399963229728653 * i;
-      const double u[3] = {w * cos(angle), w * sin(angle), z};
-      double low = 0, high = 300000;
-      for (int step = 0; step < 20; step++) {
-        const double half = (low + high) / 2;
-        double q[3] = {middle[0] + half * u[0], middle[1] + half * u[1], middle[2] + half * u[2]};
-        *(is_within(q, r) ? &low : &high) = half;
-      }
-      volume += each * low * low * low / 3;
-      for (int k = 0; k < 3; k++) {
-        const int l = (k + 1) % 3;
-        first[k] += each * pow(low, 4) / 4 * u[k];
-        second[k] += each * pow(low, 5) / 5 * u[k] * u[k];
-        second[3 + k] += each * pow(low, 5) / 5 * u[l] * u[(k + 2) % 3];
-      }
-    }
-    const double c[3] = {first[0] / volume, first[1] / volume, first[2] / volume};
-    double trace = 0, spread[3];
-    int64_t entry[6];
-    entries_of(&m, entry);
-    CHECK_MSG(fabs((double)volume_of(&m) / volume - 1) <= 4e-3, "volume %g, %g", (double)volume_of(&m), volume);
-    for (int k = 0; k < 3; k++) {
-      CHECK_MSG(fabs((double)centre_of(&m, k) / 65536 - middle[k] - c[k]) <= 200, "centre %d", k);
-      spread[k] = second[k] / volume - c[k] * c[k];
-      trace += spread[k];
-    }
-    for (int k = 0; k < 3; k++) {
-      const int j = (k + 1) % 3, l = (k + 2) % 3;
-      CHECK_MSG(fabs((double)entry[k] - (trace - spread[k])) <= 6e-3 * trace, "inertia %d: %lld, %g", k,
-                (long long)entry[k], trace - spread[k]);
-      CHECK_MSG(fabs((double)entry[3 + k] + second[3 + k] / volume - c[j] * c[l]) <= 6e-3 * trace, "product %d", k);
-    }
-  }
-}
-
 // Triangles by themselves, in either order, and in a line; sides in a file of faces; unsound faces.
 static void test_few(void) {
   static const gjk_vec3 right[3] = {{0, 0, 0}, {400, 0, 0}, {0, 300, 0}},
@@ -449,7 +332,6 @@ int main(void) {
   test_boxes();
   test_symmetries(seed);
   test_cut(seed);
-  test_rays(seed);
   test_few();
   return check_done("mass round");
 }
