@@ -32,7 +32,7 @@ library='build/checked/gjk*.o'
 # The same with products of 16 bits, of what computes.
 computes='arith contact depth gjk mesh motion parts place plane plane_motion query shape'
 # shellcheck disable=SC2046,SC2086
-(cd "$dir/narrow" && ${CC:-cc} -std=c99 -O1 $all -DGJK_NARROW_MULTIPLY=1 "-I$root/include" \
+(cd "$dir/narrow" && ${CC:-cc} -std=c99 -Og $all -DGJK_NARROW_MULTIPLY=1 "-I$root/include" \
   -c $(printf "$root/build/checked/rooms/gjk-%s.c " $computes)) || exit 1
 # shellcheck disable=SC2086
 build pairs "$all" tests/prove/bounds.c $library && answers pairs "$2" || exit 1

@@ -3,15 +3,15 @@
 . tests/build/count.sh
 dir=$1/wild
 mkdir -p "$dir"
-sources=$(needed tests/check/unit/wild.c)
+# shellcheck disable=SC2046
+rooms "$dir/rooms" $(needed tests/check/unit/wild.c)
 
 # wild NAME FLAGS...: builds and runs the checks without asserts; undefined behaviour ends them
 wild() {
   name=$1
   shift
-  # shellcheck disable=SC2086
-  "${CC:-cc}" -std=c99 -O1 "$@" -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
-    '-DGJK_PORT_HEADER="generic/gjk_port.h"' tests/check/unit/wild.c $sources -o "$dir/$name" || return 1
+  "${CC:-cc}" -std=c99 -Og "$@" -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
+    '-DGJK_PORT_HEADER="generic/gjk_port.h"' tests/check/unit/wild.c "$dir"/rooms/*.c -o "$dir/$name" || return 1
   "$dir/$name"
 }
 
