@@ -3,15 +3,22 @@
 # emulated core; other kinds are refused; each is one file without a warning. test_levels.sh BUILD
 . tests/build/count.sh
 build=$1/levels
-mkdir -p "$build"
-sources='tests/check/target/levels.c tests/check/target/plane_levels.c'
+mkdir -p "$build/objects"
+sources='tests/check/target/levels.c tests/check/target/plane_levels.c tests/check/target/levels_host.c port/hosted/gjk_hosted.c'
+
+# programs: the objects that the program links with each library
+programs() {
+  folder=$(pwd)
+  # shellcheck disable=SC2046,SC2086
+  (cd "$build/objects" && ${CC:-cc} -std=c99 -O1 "-I$folder/include" "-I$folder" "-I$folder/port" "-I$folder/tests/support" -c \
+    $(printf "$folder/%s " $sources))
+}
 
 # host NAME OBJECTS...: the program with that library, at build/levels/host-NAME
 host() {
   program=$build/host-$1
   shift
-  ${CC:-cc} -std=c99 -O1 -Iinclude -I. -Iport -Itests/support $sources tests/check/target/levels_host.c port/hosted/gjk_hosted.c \
-    "$@" -o "$program"
+  ${CC:-cc} "$build"/objects/*.o "$@" -o "$program"
 }
 
 # same LEVEL: its set by its build and by that of all shapes
@@ -46,6 +53,7 @@ refused_value() {
 }
 
 check 'the library of all shapes' library host ''
+check 'the program' programs
 check 'all shapes' host 5 build/host/gjk*.o
 check 'one file' sh tests/build/amalgamate.sh "$build/one"
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"

@@ -27,9 +27,10 @@ readme() {
   test -s "$dir/expected" && python "$dir/readme.py" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
 }
 
-# compiles FILE: and has lines of at most 120 columns without blanks at their ends
-is_tidy() {
-  python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "$1" && ! grep -nE '.{121}|[[:blank:]]$|	' "$1"
+# tidy FILE...: they are Python, and have lines of at most 120 columns without blanks at their ends
+tidy() {
+  python3 -c 'import ast, sys; [ast.parse(open(name).read(), name) for name in sys.argv[1:]]' "$@" &&
+    ! grep -nE '.{121}|[[:blank:]]$|	' "$@"
 }
 
 # A module of other structures than the library's does not load.
@@ -63,9 +64,7 @@ if ! have python3; then
   exit
 fi
 check 'make install' sh tests/build/install.sh "$build" "$prefix"
-for file in port/python/gjk/*.py port/python/gjk/plane/*.py tests/check/bind/*.py; do
-  check "$file is tidy" is_tidy "$file"
-done
+check 'the files are tidy' tidy port/python/gjk/*.py port/python/gjk/plane/*.py tests/check/bind/*.py
 check 'numbers, names, errors, lifetimes' python tests/check/bind/behaviour.py
 check 'ground of the plane' python tests/check/bind/ground_behaviour.py
 check 'scenes' python tests/check/bind/scene_behaviour.py

@@ -53,8 +53,9 @@ roadmap() {
       "$dir/printed"
 }
 
-is_tidy() {
-  python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "$1" && ! grep -nE '.{121}|[[:blank:]]$|	' "$1"
+tidy() {
+  python3 -c 'import ast, sys; [ast.parse(open(name).read(), name) for name in sys.argv[1:]]' "$@" &&
+    ! grep -nE '.{121}|[[:blank:]]$|	' "$@"
 }
 
 check 'make package' sh tests/build/package.sh "$dir" wheel
@@ -74,7 +75,5 @@ if "$python" -c 'import pip' 2>/dev/null; then
 else
   skip 'pip install' python3-pip
 fi
-for file in port/python/examples/*.py tests/build/*.py; do
-  check "$file is tidy" is_tidy "$file"
-done
+check 'the files are tidy' tidy port/python/examples/*.py tests/build/*.py
 finish wheel
