@@ -1,6 +1,7 @@
 // Hulls at the largest coordinates there are, proven by integers of 128 bits that share nothing with the library: no point is
 // beyond a face, faces are plane, strictly convex and closed, and no two beside each other are in one plane. So vertices,
-// facets and edges are those of the real hull. And simple hulls: that they hold all points, and how far they reach.
+// facets and edges are those of the real hull. The same of few points on small lattices, most of which are coplanar, in a line
+// or repeated. And simple hulls: that they hold all points, and how far they reach.
 #include "hull_points.h"
 
 #include <math.h>
@@ -17,6 +18,8 @@ __extension__ typedef __int128 wide;
 #define TRIALS 1500
 #endif
 #define FAMILIES 12
+#define LATTICES 500000
+#define LATTICE_POINTS 12
 
 static hull_points p, simple;
 static hull_output out, again, full;
@@ -197,9 +200,25 @@ static void check_simple(uint16_t most) {
   simplified += full.hull.vertices > most;
 }
 
+// Are the points in one plane?
+static bool are_flat(void) {
+  for (unsigned i = 1; i < p.count; i++) {
+    for (unsigned j = i + 1; j < p.count; j++) {
+      const vec n = cross(minus(p.point[i], p.point[0]), minus(p.point[j], p.point[0]));
+      for (unsigned k = j + 1; k < p.count; k++) {
+        if (dot(n, minus(p.point[k], p.point[0])) != 0) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
 static void check_points(random_state *random) {
   hull_output_make(&p, &out);
   if (out.hull.dimension < 3) {
+    CHECK(p.count > LATTICE_POINTS || (are_flat() && out.volume.high == 0 && out.volume.low == 0));
     return;
   }
   checked++;
@@ -366,6 +385,21 @@ static void make_box(random_state *random) {
   }
 }
 
+// Few points of a small lattice, of which most coincide, or lie in a line or a plane with others.
+static void test_lattices(random_state *random) {
+  const unsigned long before = checked, trials = check_trials(LATTICES);
+  for (unsigned long trial = 0; trial < trials; trial++) {
+    const int64_t side = 1 + below(random, 4), high = random_below(random, 4) == 0 ? 0 : side;
+    check_trial(trial, hull_points_print, &p);
+    p.count = 0;
+    for (uint32_t count = 1 + random_below(random, LATTICE_POINTS); count > 0; count--) {
+      add(below(random, side + 1), below(random, side + 1), below(random, high + 1));
+    }
+    check_points(random);
+  }
+  CHECK(checked - before > trials / 4 && checked - before < trials * 3 / 4);
+}
+
 static void make_family(random_state *random, unsigned family) {
   p.count = 0;
   switch (family) {
@@ -480,6 +514,7 @@ int main(void) {
       "%lu hulls: %lu with facets of more than 3 corners, %lu of repeated points, %lu with points that are no "
       "vertices\n",
       checked, joined, doubled, inner);
+  test_lattices(&random);
   return check_done("hull exact");
 }
 
