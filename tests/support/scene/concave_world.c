@@ -65,35 +65,3 @@ void concave_world_make(concave_world *w, random_state *random, int32_t size) {
 void concave_world_free(concave_world *w) {
   surface_free(&w->mesh);
 }
-
-// A triangle where it stands, as vertices in the world.
-static void cut_triangle(concave_piece *p, const gjk_collider *c) {
-  const gjk_pose identity = GJK_POSE_IDENTITY;
-  for (unsigned i = 0; i < 3; i++) {
-    p->vertices[i] = (gjk_vec3){c->centre.x + c->frame[i].x, c->centre.y + c->frame[i].y, c->centre.z + c->frame[i].z};
-  }
-  p->shape = (gjk_shape)GJK_TRIANGLE(p->vertices);
-  p->pose = identity;
-}
-
-void concave_world_cut(concave_world *w) {
-  w->pieces = 0;
-  for (unsigned k = 0; k < CONCAVE_BODIES; k++) {
-    for (uint32_t i = 0; i < gjk_parts_count(&w->body[k].parts); i++) {
-      gjk_parts_room room;
-      gjk_collider c;
-      concave_piece *p = &w->piece[w->pieces];
-      if (gjk_parts_place(&w->body[k].parts, i, &room, &c) != GJK_OK) {
-        continue;
-      }
-      if (k == 2) {
-        p->shape = w->compound_shapes[i];
-        CHECK(gjk_pose_compose(&w->body[k].parts.pose, &w->compound_parts[i].pose, &p->pose) == GJK_OK);
-      } else {
-        cut_triangle(p, &c);
-      }
-      p->of = k;
-      w->pieces++;
-    }
-  }
-}

@@ -1,4 +1,4 @@
-// Scenes with concave bodies for tests: a mesh, a height field and a compound, and the same parts one by one.
+// Scenes with concave bodies for tests: a mesh, a height field and a compound.
 #ifndef CONCAVE_WORLD_H
 #define CONCAVE_WORLD_H
 
@@ -9,23 +9,13 @@
 
 #define CONCAVE_BODIES 3
 #define CONCAVE_MOVERS 12
-#define CONCAVE_PIECES 900
 #define CONCAVE_SIDE 13
 
 typedef struct concave_body {
   gjk_parts parts;  // at the body's pose
   gjk_concave concave;
   gjk_shape shape;
-  uint32_t pieces;  // of all parts; of those at holes none
 } concave_body;
-
-// A part of a concave body as a convex shape at a pose of its own.
-typedef struct concave_piece {
-  gjk_shape shape;
-  gjk_vec3 vertices[3];
-  gjk_pose pose;
-  unsigned of;
-} concave_piece;
 
 typedef struct concave_world {
   surface mesh;
@@ -37,15 +27,10 @@ typedef struct concave_world {
   gjk_compound_node compound_nodes[GJK_COMPOUND_NODES(16)];
   concave_body body[CONCAVE_BODIES];
   gjk_shape mover[CONCAVE_MOVERS];
-  concave_piece piece[CONCAVE_PIECES];
-  unsigned pieces;
 } concave_world;
 
 // Makes the bodies and movers, of size LSB each, about the origin. Every part without curves.
 void concave_world_make(concave_world *w, random_state *random, int32_t size);
 void concave_world_free(concave_world *w);
-
-// Sets the pieces of the bodies that stand where they are now.
-void concave_world_cut(concave_world *w);
 
 #endif
