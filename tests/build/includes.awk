@@ -1,4 +1,4 @@
-# Checks one source file against layers.txt: awk -f includes.awk tests/build/layers.txt src/ROOM/FILE
+# Checks source files against layers.txt: awk -f includes.awk tests/build/layers.txt src/ROOM/FILE...
 FNR == NR && /^[a-z_]+:/ {
   room = substr($1, 1, length($1) - 1)
   known[room]

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Public headers: each compiles alone, as C99 and as C++; so does every initialiser of a shape. test_headers.sh BUILD
+# Public headers: each compiles alone, all as C99 and as C++; so does every initialiser of a shape. test_headers.sh BUILD
 . tests/build/count.sh
 scratch=$1/headers
 mkdir -p "$scratch"
@@ -79,80 +79,86 @@ all_included() {
 check 'gjk/gjk.h includes all headers' all_included gjk
 check 'gjk2/gjk2.h includes all headers of the plane' all_included gjk2
 
-# C wants a declaration, which a header of macros alone does not have.
+# Does each header include what it needs? One language tells that of all. C wants a declaration, which a header of macros alone
+# does not have.
 echo 'extern int declaration;' >"$scratch/declaration.c"
-for compiler in gcc clang; do
-  if ! have $compiler; then
-    skip "headers with $compiler" $compiler
+if have gcc; then
+  for header in include/gjk/*.h include/gjk2/*.h; do
+    check "$header alone" compile gcc -std=c99 -include "$header" -x c "$scratch/declaration.c"
+  done
+else
+  skip 'headers alone' gcc
+fi
+
+# The files below include all headers.
+for language in 'gcc -std=c99 -x c' 'clang -std=c99 -x c' 'g++ -std=c++11 -x c++' 'clang++ -std=c++11 -x c++'; do
+  if ! have "${language%% *}"; then
+    skip "headers, $language" "${language%% *}"
     continue
   fi
-  for header in include/gjk/*.h include/gjk2/*.h; do
-    check "$header as C99, $compiler" compile $compiler -std=c99 -include "$header" -x c "$scratch/declaration.c"
-  done
-  check "initialisers as C99, $compiler" compile $compiler -std=c99 -x c "$scratch/initialisers.c"
-  check "initialisers of the plane as C99, $compiler" compile $compiler -std=c99 -x c "$scratch/initialisers2.c"
+  # shellcheck disable=SC2086
+  check "headers and initialisers, $language" compile $language "$scratch/initialisers.c"
+  # shellcheck disable=SC2086
+  check "headers and initialisers of the plane, $language" compile $language "$scratch/initialisers2.c"
 done
 for compiler in g++ clang++; do
-  if ! have $compiler; then
+  if have $compiler; then
+    check "headers as C++98, $compiler" compile $compiler -std=c++98 -Wno-long-long -include gjk2/gjk2.h -x c++ include/gjk/gjk.h
+  else
     skip "headers with $compiler" $compiler
-    continue
   fi
-  for header in include/gjk/*.h include/gjk2/*.h; do
-    check "$header as C++98, $compiler" compile $compiler -std=c++98 -Wno-long-long -x c++ "$header"
-    check "$header as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$header"
-  done
-  check "initialisers as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$scratch/initialisers.c"
-  check "initialisers of the plane as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$scratch/initialisers2.c"
 done
 
-# Lengths that are no integers and numbers that leave their format do not compile, even where warnings are off.
+# Lengths that are no integers and numbers that leave their format do not compile, even where warnings are off. Each argument of
+# each initialiser in turn that is a length in the test of all initialisers becomes 0.5. A line of a file is a case.
+declared='#include "gjk/gjk.h"
+extern const gjk_vec3 vertices[]; gjk_support_function support;'
+{
+  echo "$declared"
+  awk '
+    /^const gjk_shape / {
+      for (at = 1; (found = match(substr($0, at), /[(,] *3[,)]/)) > 0; at += found + 1) {
+        length_at = at + found - 1 + RLENGTH - 2
+        line = "static " substr($0, 1, length_at - 1) "0.5" substr($0, length_at + 1)
+        sub(/ = /, "_" ++cases " = ", line)
+        print line
+      }
+    }' "$scratch/initialisers.c"
+} >"$scratch/halves.c"
+check 'lengths to be refused' test "$(wc -l <"$scratch/halves.c")" -ge 36
 
-# static_number WORDS...: a constant of that value
-static_number() {
-  printf '#include "gjk/gjk.h"\nextern const int32_t number;\nconst int32_t number = %s;\n' "$1" >"$scratch/number.c"
+# numbers VALUES...: constants of these values
+numbers() {
+  echo "$declared"
+  for value; do
+    printf 'extern const int32_t number_%d; const int32_t number_%d = %s;\n' $# $# "$value"
+    shift
+  done
+}
+numbers 'GJK_Q16(32767.99999)' 'GJK_Q16(-32768.0)' 'GJK_Q16(0.0)' 'GJK_Q16(7)' 'GJK_Q30(1.9999999)' 'GJK_Q30(-2.0)' \
+  >"$scratch/numbers.c"
+numbers 'GJK_Q16(40000.0)' 'GJK_Q16(-40000.0)' 'GJK_Q16(32768)' 'GJK_Q16(32767.999993)' 'GJK_Q16(-32768.00001)' \
+  'GJK_Q16(1e300)' 'GJK_Q30(2.0)' 'GJK_Q30(-2.1)' >"$scratch/far.c"
+
+# each_refused FILE COMPILER FLAGS...: every line of the file after its second has an error, and nothing else has
+each_refused() {
+  file=$1
+  shift
+  "$@" -w -Iinclude -fsyntax-only "$file" >"$scratch/refusal" 2>&1
+  grep -E '(^| )(fatal )?error: ' "$scratch/refusal" | sed -n 's|^\([^ :]*:[0-9]*\):.*|\1|p' | sort -u >"$scratch/refused"
+  awk -v file="$file" 'NR > 2 { print file ":" NR }' "$file" | sort | diff - "$scratch/refused"
 }
 
-# refused COMPILER FLAGS...: the file does not compile, because of what it says after its first line
-refused() {
-  ! "$@" -w -Iinclude -fsyntax-only >"$scratch/refusal" 2>&1 || { echo compiled; return 1; }
-  grep -q ': error: ' "$scratch/refusal" || { cat "$scratch/refusal"; return 1; }
-}
-
-# each_language WHAT CHECK FILE: by every compiler there is
-each_language() {
-  for language in 'gcc -std=c99 -x c' 'clang -std=c99 -x c' 'g++ -std=c++11 -x c++' 'clang++ -std=c++11 -x c++'; do
-    if have "${language%% *}"; then
+for language in 'gcc -std=c99 -ftrack-macro-expansion=0 -x c' 'clang -std=c99 -ferror-limit=0 -x c' \
+  'g++ -std=c++11 -ftrack-macro-expansion=0 -x c++' 'clang++ -std=c++11 -ferror-limit=0 -x c++'; do
+  if have "${language%% *}"; then
+    # shellcheck disable=SC2086
+    check "numbers within their format compile, $language" compile $language "$scratch/numbers.c"
+    for file in halves far; do
       # shellcheck disable=SC2086
-      check "$1, $language" "$2" $language "$3"
-    fi
-  done
-}
-
-# Each argument of each initialiser in turn that is a length in the test of all initialisers becomes 0.5.
-awk -v dir="$scratch" '
-  /^const gjk_shape / {
-    declared = "#include \"gjk/gjk.h\"\nextern const gjk_vec3 vertices[];\ngjk_support_function support;\n"
-    for (at = 1; (found = match(substr($0, at), /[(,] *3[,)]/)) > 0; at += found + 1) {
-      length_at = at + found - 1 + RLENGTH - 2
-      file = dir "/half" ++files ".c"
-      print declared "static " substr($0, 1, length_at - 1) "0.5" substr($0, length_at + 1) >file
-      close(file)
-      print file
-    }
-  }' "$scratch/initialisers.c" >"$scratch/halves"
-check 'lengths to be refused' test "$(wc -l <"$scratch/halves")" -ge 34
-while read -r file; do
-  each_language "$(sed -n 's/.* = //p' "$file") is refused" refused "$file"
-done <"$scratch/halves"
-
-for number in 'GJK_Q16(32767.99999)' 'GJK_Q16(-32768.0)' 'GJK_Q16(0.0)' 'GJK_Q16(7)' 'GJK_Q30(1.9999999)' 'GJK_Q30(-2.0)'; do
-  static_number "$number"
-  each_language "$number compiles" compile "$scratch/number.c"
-done
-for number in 'GJK_Q16(40000.0)' 'GJK_Q16(-40000.0)' 'GJK_Q16(32768)' 'GJK_Q16(32767.999993)' 'GJK_Q16(-32768.00001)' \
-  'GJK_Q16(1e300)' 'GJK_Q30(2.0)' 'GJK_Q30(-2.1)'; do
-  static_number "$number"
-  each_language "$number is refused" refused "$scratch/number.c"
+      check "$file.c is refused, $language" each_refused "$scratch/$file.c" $language
+    done
+  fi
 done
 
 # A C++ program calls the C library.

@@ -31,27 +31,28 @@ files_have_own_names() {
 
 # circles DIR: the headers below it that include each other in a circle
 no_circle() {
-  find "$1" -name '*.h' | while read -r header; do
-    sed -n 's|^ *# *include "\(.*/\)*\(gjk2\{0,1\}_[a-z_0-9]*\)\.h".*|\2|p' "$header" | sed "s|^|$(basename "$header" .h) |"
-  done | tsort >/dev/null
+  find "$1" -name '*.h' -exec grep -H '^ *# *include "' {} + |
+    sed -n 's|^[^:]*/\([a-z_0-9]*\)\.h: *# *include "\(.*/\)*\(gjk2\{0,1\}_[a-z_0-9]*\)\.h".*|\1 \3|p' | tsort >/dev/null
 }
 
 layered() {
-  awk -f tests/build/includes.awk tests/build/layers.txt "$1"
+  awk -f tests/build/includes.awk tests/build/layers.txt "$@"
 }
 
-# code FILE: the file without its comments and strings
-code() {
-  sed 's|//.*||; s/"[^"]*"//g' "$1"
+# in_code PATTERN FILES...: the lines that have it beside comments and strings
+in_code() {
+  pattern=$1
+  shift
+  grep -HnE "$pattern" "$@" | sed 's|//.*||; s/"[^"]*"//g; s/__cplusplus//g' | grep -E "^[^:]*:[0-9]+:(.*[^A-Za-z0-9_])?$pattern"
 }
 
 no_floating_point() {
-  ! code "$1" | grep -nwE 'float|double|long double|math\.h'
+  ! in_code '(float|double|math\.h)([^A-Za-z0-9_]|$)' "$@"
 }
 
 # Names that start with two underscores are the compiler's.
 no_compiler() {
-  ! code "$1" | sed 's/__cplusplus//g' | grep -nE '(^|[^A-Za-z0-9_])_[_A-Z][A-Za-z]'
+  ! in_code '_[_A-Z][A-Za-z]' "$@"
 }
 
 # shared FILES: the files that the plane shares include nothing with a dimension but through gjk_scene_space.h and
@@ -70,14 +71,11 @@ check 'layers.txt: rooms point down' table_is_ordered
 check 'layers.txt: the rooms there are' table_has_all_rooms "$scratch"
 check 'every file of src has a name of its own, with the prefix' files_have_own_names
 check 'no headers include each other in a circle' no_circle src
-for file in src/*/*.[ch] include/gjk/*.h include/gjk2/*.h; do
-  check "$file includes what its room may" layered "$file"
-  check "$file has no floating point" no_floating_point "$file"
-  case $file in
-    src/arith/gjk_wide.h | src/arith/gjk_port_defaults.h) ;;
-    *) check "$file does not look at the compiler" no_compiler "$file" ;;
-  esac
-done
+check 'each file includes what its room may' layered src/*/*.[ch] include/gjk/*.h include/gjk2/*.h
+check 'no floating point' no_floating_point src/*/*.[ch] include/gjk/*.h include/gjk2/*.h
+# shellcheck disable=SC2046
+check 'no look at the compiler but in two files' \
+  no_compiler $(printf '%s\n' src/*/*.[ch] include/gjk/*.h include/gjk2/*.h | grep -v '^src/arith/gjk_\(wide\|port_defaults\)\.h$')
 
 # The rules must be able to refuse.
 refused() {
