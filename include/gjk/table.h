@@ -21,7 +21,8 @@ extern "C" {
 // Makes the table of a hull from its vertices. They need no order, and may repeat, lie inside or be collinear.
 //
 // level     0 to GJK_TABLE_LEVEL_MAX. Good choices: 0 up to 48 vertices, 1 up to 256, 2 up to 1,024, 3 beyond.
-// vertex    room for capacity numbers. The table has end[GJK_TABLE_CELLS(level) - 1] of them.
+// vertex    room for capacity numbers. The table has end[GJK_TABLE_CELLS(level) - 1] of them. With the levels above, 12
+//           numbers a cell are mostly enough: 12 * GJK_TABLE_CELLS(level).
 // end       room for GJK_TABLE_CELLS(level) numbers.
 // Whole     Hulls of a few LSB, and polygons of many corners across a cell's directions, are listed with all vertices.
 // Statuses  NULL, EMPTY, RANGE (level), CAPACITY: vertex is too small, and vertex and end hold no valid table.
