@@ -8,7 +8,21 @@ out=$build/linked
 variant=$(variant_of "$build")
 mkdir -p "$out"
 tools=$(make -s print-TOOLS_cortex-m3 | sed 's/-fcallgraph-info=su//')
-board=$(make -s print-BOARD_cortex-m3)
+compile="$tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -Iport
+  -I. -Itests/support"
+# The board is compiled once.
+board=
+for word in $(make -s print-BOARD_cortex-m3); do
+  case $word in
+    *.c)
+      object=$out/board-$(basename "$word" .c).o
+      # shellcheck disable=SC2086
+      $compile -c "$word" -o "$object" || exit 1
+      word=$object
+      ;;
+  esac
+  board="$board $word"
+done
 queries='TOUCH DISTANCE DEPTH CONTACTS CAST IMPACT SCENE'
 
 # cell LEVEL KIND QUERY MACROS...: bytes of code and constants
@@ -18,8 +32,7 @@ cell() {
   kind=$2 query=$3
   shift 3
   # shellcheck disable=SC2086
-  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -Iport -I. \
-    -Itests/support "-DUSER_$kind" "-DUSER_$query" "$@" tests/measure/target/size_user.c $board \
+  $compile "-DUSER_$kind" "-DUSER_$query" "$@" tests/measure/target/size_user.c $board \
     "build/cortex-m3$variant-Os$(level_suffix "$level")/libgjk.a" -lgcc -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
     "-Wl,-Map=$name.map" -o "$name.elf" || return 1
   arm-none-eabi-size "$name.elf" | awk 'NR == 2 { print $1 + $2 }'
