@@ -38,7 +38,8 @@ if [ $# -eq 0 ]; then
   bracket comb 0 0 90 0 90 50 80 50 80 10 50 10 50 50 40 50 40 10 10 10 10 50 0 50
   awk '/^v/ { x = $2 * .8 - $3 * .6; y = $2 * .6 + $3 * .8; printf "v %.6f %.6f %.6f\n", x, y * .28 - $4 * .96, y * .96 + $4 * .28 }
     /^f/' tests/data/hulls/u_channel.obj >"$build/u_turned.obj"
+  awk -f tests/data/meshes/torus.awk >"$build/torus.obj"
   set -- tests/data/hulls/l_bracket.obj tests/data/hulls/u_channel.obj "$build/u_turned.obj" "$build/cross.obj" \
-    "$build/stairs.obj" "$build/comb.obj" tests/data/meshes/bracket.obj tests/data/meshes/torus.obj tests/data/meshes/rock.obj
+    "$build/stairs.obj" "$build/comb.obj" tests/data/meshes/bracket.obj "$build/torus.obj" tests/data/meshes/rock.obj
 fi
 "$build/bench" "$@"

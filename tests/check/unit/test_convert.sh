@@ -135,9 +135,9 @@ for file in cr.obj crlf.obj mark.obj; do
 done
 sed '$d' "$work/t.obj" >"$work/open.obj"
 check 'open' "points=4 vertices=4 faces=4 volume6=$volume watertight=no" "$("$convert" --info "$work/open.obj")"
-for mesh in hulls/l_bracket meshes/torus hulls/u_channel; do
-  check "$mesh" 'watertight=yes' \
-    "$("$convert" --millimetres --info "tests/data/$mesh.obj" | sed 's/.* //')"
+awk -f tests/data/meshes/torus.awk >"$work/torus.obj"
+for mesh in tests/data/hulls/l_bracket.obj "$work/torus.obj" tests/data/hulls/u_channel.obj; do
+  check "$mesh" 'watertight=yes' "$("$convert" --millimetres --info "$mesh" | sed 's/.* //')"
 done
 printf '0 0 0\n7 7 7\n3 3 3\n' >"$work/line.txt"
 check 'a line' 'points=3 vertices=2 faces=0 volume6=0 watertight=no' "$("$convert" --info "$work/line.txt")"

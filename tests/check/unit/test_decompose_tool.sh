@@ -10,6 +10,7 @@ passed=0
 failed=0
 rm -rf "$work"
 mkdir -p "$work"
+awk -f $meshes/torus.awk >"$work/torus.obj"
 
 check() { # NAME EXPECTED FOUND
   if [ "$2" = "$3" ]; then
@@ -63,9 +64,9 @@ limits() { # NAME PARTS EXCESS OPTIONS...
     awk -v parts="$parts" -v excess="$excess" '{ split($1, p, "="); split($2, e, "=");
       print $3, p[2] <= parts ? "few" : p[2], e[2] <= excess ? "near" : e[2] }')"
 }
-limits 'torus, 12 parts' 12 80 --parts 12 $meshes/torus.obj
-limits 'torus, one part' 1 1660 --parts 1 $meshes/torus.obj
-limits 'torus, 300 LSB' 8 300 --excess 300 $meshes/torus.obj
+limits 'torus, 12 parts' 12 80 --parts 12 "$work/torus.obj"
+limits 'torus, one part' 1 1660 --parts 1 "$work/torus.obj"
+limits 'torus, 300 LSB' 8 300 --excess 300 "$work/torus.obj"
 limits 'rock, 400 LSB' 9 400 --excess 400 $meshes/rock.obj
 
 # C that compiles, and cases that gjk-query answers: the first part overlaps itself and touches its neighbour.
