@@ -21,13 +21,18 @@ host() {
     $runner "$program"
 }
 
-# target NAME
+# target NAME: all ticks on Cortex-M3; the first 500, with rollbacks, on others
 target() {
-  level=-O2
-  [ "$1" != rv32imc ] || level=-Os
-  library "$1" "${level#-O2}" "OPT=$level" &&
-    make -s "build/$1${level#-O2}/$game.elf" TARGET="$1" VARIANT="${level#-O2}" "OPT=$level" &&
-    sh tests/build/emulate.sh "$1" "build/$1${level#-O2}/$game.elf"
+  level=-O2 variant='' few=-DGOLDEN_FEW rooms=
+  case $1 in
+    cortex-m3) few= ;;
+    rv32imc) level=-Os variant=-rooms-Os rooms='ROOMS=1 WARNINGS=' ;;
+  esac
+  elf=build/$1$variant/$game.elf
+  # shellcheck disable=SC2086
+  golden_library "$1" gcc $level &&
+    make -s "$elf" TARGET="$1" VARIANT=$variant OPT=$level FIRMWARE_DEFINES=$few $rooms &&
+    sh tests/build/emulate.sh "$1" "$elf"
 }
 
 # match GAME [SOURCE]: the match of that name has its hash from every build
