@@ -1,6 +1,6 @@
 #!/bin/sh
-# The golden hash from every compiler and level on every architecture, two builds at a time; and what the objects of every
-# core need of their surroundings: matrix.sh BUILD
+# The golden hash from every compiler and level on every architecture, two builds at a time; what the objects of every core
+# need of their surroundings, and whole matches on the cores: matrix.sh BUILD
 #
 # One bit that differs fails. So does undefined behaviour, which traps in the column 'sanitized' (-fsanitize=undefined,
 # without -fwrapv). 'scalar' is -O2 without GJK_VECTORS, where that is the default. '-' stands for what Debian's tools, or
@@ -86,5 +86,6 @@ for architecture in host $golden_linux $golden_cores; do
   done
 done
 sh tests/check/unit/test_symbols.sh "$1" all || failed=$((failed + 1))
+sh tests/check/unit/test_scene_golden.sh "$1" all || failed=$((failed + 1))
 echo "matrix: $same passed, $failed failed, $skipped skipped"
 [ $failed = 0 ] && [ $same -gt 0 ]
