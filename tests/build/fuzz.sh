@@ -35,8 +35,7 @@ fuzz() {
   target=$1
   shift
   mkdir -p "$build/corpus/$target"
-  # shellcheck disable=SC2086
-  clang $flags -fsanitize=fuzzer "tests/check/fuzz/$target.c" "$build"/objects/*.o $oracles -lm -o "$build/$target" || return 1
+  ln -f "$build/all" "$build/$target" || return 1
   if ! nice "$build/$target" "$limit" -seed="$seed" -timeout=20 -print_final_stats=1 \
     -artifact_prefix="$build/$target-" "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
     echo "failed: $target: $(grep -a -m 1 '^fuzz: ' "$build/$target.log")"
@@ -69,19 +68,44 @@ oracles=$(printf 'build/hosted/%s.o\n' tests/support/exact/*.c tests/support/gen
   sed 's/\.c\.o$/.o/')
 # shellcheck disable=SC2086
 make -s $oracles >/dev/null || exit 1
+# All targets are one program, linked once, which does what it is called.
+{
+  printf '#include <stdint.h>\n#include <stdlib.h>\n#include <string.h>\n'
+  printf 'int fuzz_%s(const uint8_t *data, size_t size);\n' "$@"
+  echo 'static int (*target)(const uint8_t *data, size_t size);'
+  echo 'int LLVMFuzzerInitialize(int *count, char ***words);'
+  echo 'int LLVMFuzzerInitialize(int *count, char ***words) {'
+  echo '  const char *slash = strrchr(**words, 47), *name = slash == NULL ? **words : slash + 1;'
+  echo '  (void)count;'
+  for target; do
+    echo "  if (strcmp(name, \"$target\") == 0) target = fuzz_$target;"
+  done
+  printf '  return 0;\n}\n'
+  echo 'int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);'
+  printf 'int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {\n  return target(data, size);\n}\n'
+} >"$build/all.c"
 # shellcheck disable=SC2046
 rooms "$build/rooms" $(needed tests/check/fuzz/*.c tests/programs/convert/*.c)
-for source in tests/check/fuzz/bytes.c tests/check/fuzz/hostile.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
+for source in $(printf 'tests/check/fuzz/%s.c ' "$@") "$build/all.c" tests/check/fuzz/bytes.c tests/check/fuzz/hostile.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
   tests/support/case/case2_collider.c tests/support/case/lines.c tests/support/case/number.c tests/support/case/parse.c tests/support/case/parse2.c \
   tests/support/scene/world.c tests/support/scene/session.c tests/programs/convert/*.c "$build"/rooms/*.c; do
   case $source in
     */convert/main.c) continue ;;
+    tests/check/fuzz/bytes.c | tests/check/fuzz/hostile.c | tests/check/fuzz/overlap.c) seen= ;;
+    tests/check/fuzz/*)
+      entry=${source##*/}
+      seen="-fsanitize=fuzzer-no-link -DLLVMFuzzerTestOneInput=fuzz_${entry%.c}"
+      ;;
     */rooms/* | tests/support/case/* | tests/programs/convert/*) seen=-fsanitize=fuzzer-no-link ;;
     *) seen= ;;
   esac
   # shellcheck disable=SC2086
   clang $flags $seen -c "$source" -o "$build/objects/$(echo "${source%.c}" | tr / -).o" || exit 1
 done
+# shellcheck disable=SC2086
+clang $flags -fsanitize=fuzzer "$build"/objects/*.o $oracles -lm -o "$build/all" || exit 1
+# shellcheck disable=SC2046
+rm "$build/objects/$(echo "$build/all" | tr / -).o" $(printf "$build/objects/tests-check-fuzz-%s.o " "$@")
 
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
   "$build/seeds-claims" "$build/seeds-parts" "$build/seeds-solids" "$build/seeds-casts" "$build/seeds-plane" "$build/seeds-ground" \
