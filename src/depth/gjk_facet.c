@@ -73,6 +73,7 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
   //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   //@ assert high >= 0 && high <= (INT32_C(1) << 30) + 4;
   const int32_t exact = !GJK_SMALL && low < high && triangle ? gjk_simplex_along_axis(&it->simplex) : -1;
+  //@ assert exact >= -1 && exact <= (INT32_C(1) << 30) + 4;
   if (low == high || exact >= 0) {
     return exact >= 0 ? gjk_sar32(exact, (unsigned)it->shift) : low;  // a multiple of 2^shift
   }

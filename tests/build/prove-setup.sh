@@ -329,7 +329,8 @@ set_up() {
       ;;
     box_sat)
       models='simplex facet' && room arith root unit vector wide && room depth box_sat box_heights
-      set -- "$1" -eva-slevel 2 -eva-slevel-function "$BOX_SAT_LEVELS" -eva-auto-loop-unroll 6 -eva-min-loop-unroll 6 \
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      set -- "$1" -eva-slevel 2 -eva-slevel-function "$BOX_SAT_LEVELS" -eva-auto-loop-unroll 16 -eva-min-loop-unroll 6 \
         -eva-partition-value facet_is_found
       ;;
     epa_hull)

@@ -3,6 +3,8 @@
 
 #include "colliders.h"
 
+static const gjk_shape_class axes = {.kind = GJK_KIND_AXES};
+
 int main(void) {
   gjk_shape shapes[2] = {0};
   gjk_collider a = {0}, b = {0};
@@ -10,7 +12,7 @@ int main(void) {
   gjk_vec3 points[2];
   bool saturated = false;
   any_collider(&a, &shapes[0], &curved);
-  any_collider(&b, &shapes[1], &polytope);
+  any_collider(&b, &shapes[1], &axes);
   gjk_simplex_clear(&it.simplex);
   it.a = &a;
   it.b = &b;
