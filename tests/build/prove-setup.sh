@@ -224,7 +224,7 @@ set_up() {
   case $driver in
     primitives) contracts= && room arith vector && set -- "$1" -eva-slevel 200 ;;
     pose) room arith root rotation && room place angle pose && set -- "$1" -eva-slevel 200 ;;
-    math) room arith number root rotation && room place aim math pose && set -- "$1" -eva-slevel 200 ;;
+    math) room arith number root rotation && room place aim math pose && set -- "$1" -eva-slevel 5 ;;
     polygon)
       sources=$(echo src/contact/gjk_*polygon*.c)
       room arith height_key root rotation unit vector wide && room shape curved disc_base && set -- "$1" -eva-slevel 200
@@ -244,7 +244,7 @@ set_up() {
       ;;
     search)
       models='simplex iteration' && room arith vector wide && room gjk search
-      set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
+      set -- "$1" -eva-slevel 4 -eva-interprocedural-splits
       ;;
     scene_*)
       # Without what has drivers of its own.
@@ -346,7 +346,7 @@ set_up() {
       set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
       ;;
     clip) room arith vector wide && room contact clip flat && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
-    reduce) room contact reduce && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
+    reduce) room contact reduce && set -- "$1" -eva-slevel 5 ;;
     hull_build | hull_grow | hull_facets | hull_check)
       sources=$(echo src/hull/*.c) && room arith vector wide
       level=50
