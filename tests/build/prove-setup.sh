@@ -244,7 +244,7 @@ set_up() {
       ;;
     search)
       models='simplex iteration' && room arith vector wide && room gjk search
-      set -- "$1" -eva-slevel 4 -eva-interprocedural-splits
+      set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
       ;;
     scene_*)
       # Without what has drivers of its own.
@@ -346,7 +346,7 @@ set_up() {
       set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
       ;;
     clip) room arith vector wide && room contact clip flat && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
-    reduce) room contact reduce && set -- "$1" -eva-slevel 5 ;;
+    reduce) room contact reduce && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
     hull_build | hull_grow | hull_facets | hull_check)
       sources=$(echo src/hull/*.c) && room arith vector wide
       level=50
