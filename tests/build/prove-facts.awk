@@ -5,7 +5,7 @@
 #   unknown            properties of a kind that are not proven, in so many places of a function
 #   stopped            the same; of the states that Eva keeps apart there, it is false for some, which end there
 #   refuted            false for all states that reach it
-#   unreached          a function and how many of its statements no path reaches; all: one of src that is never called
+#   unreached          a function that is called, and how many of its statements no path reaches: calls of others among them
 #
 # Numbers that Frama-C gives to copies are dropped; of copies of a function the one with the most places counts.
 BEGIN {
@@ -55,25 +55,11 @@ FILENAME == ARGV[1] {
 /^\[eva:alarm\]/ { split($0, field, " "); place = substr(field[2], 1, length(field[2]) - 1) }
 /got status invalid/ { stopped[place] }
 
-# Of the library's functions that some path of the text leads to, those never called: '<file>: name; name;', and on.
-/^\[metrics\]/ { listing = 0 }
-/^ *Unreached functions/ { listing = 1; next }
-listing && /</ { listed = /<src\// }
-listing && listed {
-  sub(/.*>:/, "")
-  count = split($0, names, ";")
-  for (i = 1; i <= count; i++) {
-    gsub(/ /, "", names[i])
-    if (names[i] != "") never[plain(names[i])]
-  }
-}
-
 # 'name: 5 stmts out of 9 (55.6%)'
 /^  [a-zA-Z_0-9]+: [0-9]+ stmts out of [0-9]+/ {
   split($0, field, " ")
   name = plain(substr(field[1], 1, length(field[1]) - 1))
   if (name in contract) next
-  called[name]
   if (field[2] < field[6]) unreached[name, field[6] - field[2]] = name
 }
 
@@ -92,5 +78,4 @@ END {
     split(key, field, SUBSEP)
     print "unreached", field[2], field[1]
   }
-  for (name in never) if (!(name in called) && !(name in contract)) print "unreached", "all", name
 }
