@@ -3,7 +3,7 @@
 # The macros choose the program, see tests/measure/target/size.c; its own bytes are not counted. 'float' or 'double' instead of
 # the macros is the reference in that type, see tests/measure/target/bench_reference.h, with the floating point that it needs.
 # What comes from which object is in the linker's map beside the program, BUILD/linked/TARGETMACROS.map.
-# LIBRARY: other objects than the library's; SECTIONS=--no-gc-sections keeps all of them.
+# LIBRARY: other objects than the library's; SECTIONS=--no-gc-sections keeps all of them; LINKED_TOOLS: the compiler, if it is known.
 . tests/build/count.sh
 out=$1/linked
 variant=$(variant_of "$1")
@@ -11,7 +11,7 @@ target=$2
 shift 2
 mkdir -p "$out"
 name=$out/$target$(echo "$*" | tr -d ' ')
-tools=$(make -s "print-TOOLS_$target")
+tools=${LINKED_TOOLS:-$(make -s "print-TOOLS_$target")}
 
 # compile FLAGS... FILE OBJECT
 compile() {

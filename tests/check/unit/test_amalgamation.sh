@@ -96,9 +96,10 @@ for compiler in gcc clang g++ clang++; do
 done
 missing=$(missing_package cortex-m3)
 if [ -z "$missing" ]; then
-  tools=$(make -s print-TOOLS_cortex-m3 | sed 's/-fcallgraph-info=su//')
+  LINKED_TOOLS=$(make -s print-TOOLS_cortex-m3 | sed 's/-fcallgraph-info=su//')
+  export LINKED_TOOLS
   # shellcheck disable=SC2086
-  check 'one file for Cortex-M3' compiles m3 $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections
+  check 'one file for Cortex-M3' compiles m3 $LINKED_TOOLS -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections
   check 'the library for Cortex-M3' library cortex-m3 -Os OPT=-Os
   check 'as small: boxes' within_two_percent -DSIZE_BOXES
   check 'as small: distance, with posing' within_two_percent -DSIZE_POSED

@@ -75,6 +75,8 @@ kinds() {
 
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
+  LINKED_TOOLS=$(make -s print-TOOLS_cortex-m3)
+  export LINKED_TOOLS
   check 'the library for Cortex-M3 at -Os' library cortex-m3 -Os OPT=-Os
   check 'gjk_intersect on boxes alone' at_most 8736 -DSIZE_BOXES
   check 'gjk_distance on hulls, boxes and rounded forms' at_most 15136
