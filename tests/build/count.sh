@@ -136,13 +136,13 @@ library_by_rooms() {
 }
 
 # The library as it is installed and packed, in build/host-install: without a port, and so without libc. Integers of 128 bits,
-# where the compiler has them, make large coordinates a third faster.
+# where the compiler has them, make large coordinates a third faster. GJK_BY_ROOMS=1, as tests run, compiles a folder of src at once.
 installed_library() {
   wide=
   if "${CC:-cc}" -dM -E - </dev/null | grep -q __SIZEOF_INT128__; then
     wide='-DGJK_INT128=1 -DGJK_INT128_TYPE=__int128'
   fi
-  library host -install "OPT=-O2 -fPIC $wide" PORT= WARNINGS=
+  library host -install "OPT=-O2 -fPIC $wide" PORT= WARNINGS= "ROOMS=$GJK_BY_ROOMS"
 }
 
 # The host's library with the ceilings of tests/support/given_ceilings.h, and sets ceilings_objects to its objects: all but the

@@ -50,6 +50,7 @@ fi
 
 # Tests that call make must not share this one's job server.
 unset MAKEFLAGS MFLAGS MAKELEVEL
+export GJK_BY_ROOMS=1
 # Where python3 is a script that looks for the interpreter, that takes longer than most of what tests ask of it.
 if python=$(python3 -c 'import sys; print(sys.executable)' 2>/dev/null); then
   PATH=${python%/*}:$PATH
