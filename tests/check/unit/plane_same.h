@@ -4,24 +4,24 @@
 
 #include "gjk2/gjk2.h"
 
-static bool same_place(const gjk2_vec *p, const gjk2_vec *q) {
+static inline bool same_place(const gjk2_vec *p, const gjk2_vec *q) {
   return p->x == q->x && p->y == q->y;
 }
 
 // Fields that are not set are 0.
-static bool same_gap(const gjk2_distance_result *p, const gjk2_distance_result *q) {
+static inline bool same_gap(const gjk2_distance_result *p, const gjk2_distance_result *q) {
   return p->distance == q->distance && p->lower == q->lower && p->upper == q->upper &&
          same_place(&p->point_a, &q->point_a) && same_place(&p->point_b, &q->point_b) && p->normal.x == q->normal.x &&
          p->normal.y == q->normal.y && p->intersecting == q->intersecting && p->saturated == q->saturated;
 }
 
-static bool same_depth(const gjk2_penetration_result *p, const gjk2_penetration_result *q) {
+static inline bool same_depth(const gjk2_penetration_result *p, const gjk2_penetration_result *q) {
   return p->depth == q->depth && p->lower == q->lower && p->upper == q->upper && same_place(&p->point_a, &q->point_a) &&
          same_place(&p->point_b, &q->point_b) && p->normal.x == q->normal.x && p->normal.y == q->normal.y &&
          p->intersecting == q->intersecting;
 }
 
-static bool same_manifold(const gjk2_manifold *p, const gjk2_manifold *q) {
+static inline bool same_manifold(const gjk2_manifold *p, const gjk2_manifold *q) {
   bool same = p->count == q->count && p->feature_a == q->feature_a && p->feature_b == q->feature_b &&
               p->normal.x == q->normal.x && p->normal.y == q->normal.y;
   for (int i = 0; i < p->count && same; i++) {

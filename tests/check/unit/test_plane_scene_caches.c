@@ -1,4 +1,5 @@
 // The test of what a block keeps for queries, on scenes of the plane.
+#include "plane_same.h"
 #include "scene/plane_names.h"
 #include "scene/world.h"
 

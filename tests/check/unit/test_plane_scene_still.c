@@ -1,4 +1,5 @@
 // The test of reports that are still, on scenes of the plane.
+#include "plane_same.h"
 #include "scene/plane_names.h"
 #include "scene/world.h"
 

@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "check.h"
-#include "same.h"
 #include "scene/world.h"
 #include "src/scene/gjk_scene_block.h"
 
 // The test of the plane has included the plane's.
 #ifndef TEST_NAME
+#include "same.h"
 #define TEST_NAME "scene_caches"
 static void spoil_hint(random_state *random, gjk_scene_pair *pair) {
   for (int i = 0; i < 3; i++) {

@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "check.h"
-#include "same.h"
 #include "scene/world.h"
 #include "src/scene/gjk_scene_block.h"
 
 // The test of the plane has included the plane's.
 #ifndef TEST_NAME
+#include "same.h"
 #define TEST_NAME "scene_still"
 #define MOST 4
 static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
