@@ -58,7 +58,7 @@ shared_bits() {
   (cd tests/check/target && cp golden.c golden_host.c plane_golden.c motion_golden.c plane_motion_golden.c parts_golden.c \
     hull_golden.c scene_golden.c concave_golden.c "$dir/golden")
   # shellcheck disable=SC2046
-  "${CC:-cc}" -std=c99 -O2 "-I$prefix/include" -I. -Iport -Itests/support -Itests/check/target "$dir"/golden/*.c \
+  "${CC:-cc}" -std=c99 -O1 "-I$prefix/include" -I. -Iport -Itests/support -Itests/check/target "$dir"/golden/*.c \
     tests/support/scene/match.c port/hosted/gjk_hosted.c "-L$prefix/lib" -lgjk -o "$dir/golden/golden" &&
     LD_LIBRARY_PATH=$prefix/lib "$dir/golden/golden" | grep -q "$golden"
 }
@@ -71,11 +71,20 @@ exports() {
     readelf -d "$prefix/lib/libgjk.so" | grep -q 'soname: \[libgjk\.so\.'"$(echo "$version" | cut -d. -f1,2)"'\]'
 }
 
-# Where the library is compiled, each folder of its sources is compiled as one file.
+# Where the library is compiled, each folder of its sources is compiled as one file. With a list in needed, only these are,
+# after all of src were named.
 cat >"$dir/rooms.cmake" <<'END'
+get_target_property(sources gjk SOURCES)
+foreach(source ${sources})
+  string(REGEX REPLACE ".*/(src/[^/]*/[^/]*)$" "\\1" name "${source}")
+  file(APPEND ${CMAKE_BINARY_DIR}/named "${name}\n")
+  if(NOT needed OR name IN_LIST needed)
+    list(APPEND taken ${source})
+  endif()
+endforeach()
+set_property(TARGET gjk PROPERTY SOURCES ${taken})
 if(NOT CMAKE_VERSION VERSION_LESS 3.18)
-  get_target_property(sources gjk SOURCES)
-  foreach(source ${sources})
+  foreach(source ${taken})
     get_filename_component(room ${source} DIRECTORY)
     get_filename_component(room ${room} NAME)
     set_source_files_properties(${source} TARGET_DIRECTORY gjk PROPERTIES UNITY_GROUP ${room})
@@ -84,45 +93,52 @@ if(NOT CMAKE_VERSION VERSION_LESS 3.18)
 endif()
 END
 
-# known LINE: the LINE that makes the target gjk::gjk known
-known() {
-  echo "$1"
-  case $1 in add_subdirectory*) echo "include($dir/rooms.cmake)" ;; esac
+printf '%s\n' src/*/*.c | sort >"$dir/sources"
+
+# build FOLDER [SOURCES]: configures and builds the project, whose library is of these sources alone, if any are given
+build() {
+  rm -f "$dir/$1/build/named"
+  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Debug "-Dneeded=$(echo "$2" | tr ' ' ';')" &&
+    cmake --build "$dir/$1/build" --parallel 2 || return 1
+  [ ! -f "$dir/$1/build/named" ] || { grep '^src/' "$dir/$1/build/named" | sort -u | diff "$dir/sources" -; }
 }
 
-# A project of CMake with the examples: consumer FOLDER LINE, where LINE makes the target gjk::gjk known
+# consumer FOLDER LINE LIBRARIES PROGRAMS [SOURCES]: a project of CMake, where LINE makes the targets gjk::LIBRARY known. Programs
+# are examples, and cpp, that of the README in C++.
 consumer() {
   mkdir -p "$dir/$1"
+  awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/$1/cpp.cpp"
+  languages=C
+  case $4 in *cpp) languages='C CXX' ;; esac
   {
     echo 'cmake_minimum_required(VERSION 3.13)'
-    echo 'project(consumer C)'
-    known "$2"
-    for example in $examples; do
-      echo "add_executable($example $(pwd)/tests/programs/examples/$example.c)"
-      echo "target_link_libraries($example PRIVATE ${3:-gjk::gjk})"
+    printf 'project(consumer %s)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$languages" "$2"
+    case $2 in add_subdirectory*) echo "include($dir/rooms.cmake)" ;; esac
+    for program in $4; do
+      for library in $3; do
+        echo "add_executable($program-$library $(consumer_source "$1" $program))"
+        echo "target_link_libraries($program-$library PRIVATE gjk::$library)"
+      done
     done
   } >"$dir/$1/CMakeLists.txt"
-  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Debug &&
-    cmake --build "$dir/$1/build" --parallel 2 || return 1
-  for example in $examples; do
-    prints "$dir/$1/build/$example" "tests/programs/examples/$example.c" || return 1
+  build "$1" "$5" || return 1
+  for program in $4; do
+    for library in $3; do
+      prints "$dir/$1/build/$program-$library" "$(consumer_source "$1" $program)" || return 1
+    done
   done
 }
 
-# The same for a program in C++, that of the README: cpp_consumer FOLDER LINE
-cpp_consumer() {
-  mkdir -p "$dir/$1"
-  awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/$1/distance.cpp"
-  printf 'cmake_minimum_required(VERSION 3.13)\nproject(consumer C CXX)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$(known "$2")" \
-    >"$dir/$1/CMakeLists.txt"
-  printf 'add_executable(distance distance.cpp)\ntarget_link_libraries(distance PRIVATE gjk::gjk)\n' >>"$dir/$1/CMakeLists.txt"
-  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Debug &&
-    cmake --build "$dir/$1/build" --parallel 2 && prints "$dir/$1/build/distance" "$dir/$1/distance.cpp"
+consumer_source() {
+  case $2 in
+    cpp) echo "$dir/$1/cpp.cpp" ;;
+    *) echo "$(pwd)/tests/programs/examples/$2.c" ;;
+  esac
 }
 
 refuses_another_version() {
   mkdir -p "$dir/other"
-  printf 'cmake_minimum_required(VERSION 3.13)\nproject(other C)\nfind_package(gjk %s REQUIRED CONFIG)\n' "$1" \
+  printf 'cmake_minimum_required(VERSION 3.13)\nproject(other NONE)\nfind_package(gjk %s REQUIRED CONFIG)\n' "$1" \
     >"$dir/other/CMakeLists.txt"
   ! cmake -S "$dir/other" -B "$dir/other/build" "-DCMAKE_PREFIX_PATH=$prefix" >"$dir/other/log" 2>&1 &&
     tr -s ' \n' ' ' <"$dir/other/log" | grep -q 'considered but not accepted'
@@ -135,8 +151,7 @@ stand_in() {
     >"$dir/$1/CMakeLists.txt"
   printf 'add_executable(distance %s)\ntarget_link_libraries(distance PRIVATE gjk)\n' \
     "$(pwd)/tests/programs/examples/distance.c" >>"$dir/$1/CMakeLists.txt"
-  cmake -S "$dir/$1" -B "$dir/$1/build" && cmake --build "$dir/$1/build" --parallel 2 &&
-    prints "$dir/$1/build/distance" tests/programs/examples/distance.c
+  build "$1" "$of_distance" && prints "$dir/$1/build/distance" tests/programs/examples/distance.c
 }
 
 # A gjk_port.h on the include path is taken without a macro, and a macro goes first.
@@ -178,8 +193,7 @@ sketch() {
 arduino_library() {
   compiler=$1
   shift
-  "$compiler" -std=gnu11 -Os -w -ffunction-sections -fdata-sections "$@" "-I$build/package/arduino/src" \
-    -c "$build/package/arduino/src/gjk.c" -o "$dir/sketch/gjk.o"
+  "$compiler" -std=gnu11 -w -fsyntax-only "$@" "-I$build/package/arduino/src" "$build/package/arduino/src/gjk.c"
 }
 
 json() {
@@ -214,20 +228,15 @@ else
   skip 'pkg-config' pkg-config
 fi
 if have cmake; then
-  check 'CMake: find_package' consumer found "find_package(gjk ${version%.*} REQUIRED CONFIG)"
-  check 'CMake: find_package, shared' consumer shared 'find_package(gjk REQUIRED CONFIG)' gjk::shared
-  if have g++; then
-    check 'CMake: the C++ header, installed' cpp_consumer cpp-found 'find_package(gjk REQUIRED CONFIG)'
-  else
-    skip 'CMake: the C++ header' g++
-  fi
+  cpp=cpp
+  have g++ || { skip 'CMake: the C++ header' g++; cpp=; }
+  of_distance=$(needed tests/programs/examples/distance.c)
+  check 'CMake: find_package' consumer found "find_package(gjk ${version%.*} REQUIRED CONFIG)" 'gjk shared' "distance plane $cpp"
   check 'CMake: not a later version' refuses_another_version 9.0
   check 'CMake: not an earlier minor version' refuses_another_version 0.0
-  check 'CMake: add_subdirectory of the repository' consumer beside "add_subdirectory($(pwd)/port/package/cmake gjk)"
-  check 'CMake: add_subdirectory of the package' consumer packed "add_subdirectory($dir/../package/cmake gjk)"
-  if have g++; then  # what that built serves
-    check 'CMake: the C++ header of the package' cpp_consumer packed "add_subdirectory($dir/../package/cmake gjk)"
-  fi
+  check 'CMake: add_subdirectory of the repository' consumer beside "add_subdirectory($(pwd)/port/package/cmake gjk)" gjk distance \
+    "$of_distance"
+  check 'CMake: add_subdirectory of the package' consumer packed "add_subdirectory($dir/../package/cmake gjk)" gjk "$examples $cpp"
   check 'Zephyr: the module' stand_in zephyr "set(CONFIG_GJK y)
 function(zephyr_include_directories)
   include_directories(\${ARGN})
@@ -258,7 +267,7 @@ mkdir -p "$dir/sketch"
 if have avr-g++ && [ -e $core/cores/arduino/Arduino.h ]; then
   avr="-mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO_AVR_MEGA2560 -DARDUINO_ARCH_AVR -I$core/cores/arduino -I$core/variants/mega"
   # shellcheck disable=SC2086
-  check 'Arduino: the library for AVR' arduino_library avr-gcc $avr -O0
+  check 'Arduino: the library for AVR' arduino_library avr-gcc $avr
   for name in Distance Contacts; do
     # shellcheck disable=SC2086
     check "Arduino: $name for AVR" sketch $name avr-g++ $avr
@@ -271,7 +280,7 @@ if [ -z "$(missing_package cortex-m3)" ] && have arm-none-eabi-g++; then
   mkdir -p "$dir/core"
   printf '#include <stddef.h>\n#include <stdint.h>\nstruct Port { void begin(long); void println(long); };\nextern Port Serial;\n' \
     >"$dir/core/Arduino.h"
-  check 'Arduino: the library for ARM' arduino_library arm-none-eabi-gcc -mthumb -mcpu=cortex-m0plus -ffreestanding -O0
+  check 'Arduino: the library for ARM' arduino_library arm-none-eabi-gcc -mthumb -mcpu=cortex-m0plus -ffreestanding
   for name in Distance Contacts; do
     check "Arduino: $name for ARM" sketch $name arm-none-eabi-g++ -mthumb -mcpu=cortex-m0plus -ffreestanding "-I$dir/core"
   done
