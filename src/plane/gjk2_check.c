@@ -76,11 +76,13 @@ static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificat
     return false;
   }
   if (certificate->count == 1) {
-    s->d = gjk2_negate(w[0]);
+    s->d.x = -w[0].x;
+    s->d.y = -w[0].y;
     s->base = -gjk2_dot(w[0], w[0]);
     return s->base < 0;
   }
-  s->d = gjk2_outward(gjk2_sub(w[1], w[0]));
+  s->d.x = w[1].y - w[0].y;
+  s->d.y = w[0].x - w[1].x;
   s->base = gjk2_cross(w[0], w[1]);
   return s->base < 0 && has_foot(&w[0], &w[1]);
 }
@@ -199,23 +201,36 @@ static bool plane_points_hold(const gjk2_search *s, const gjk2_certificate *c, c
   return (end_a || end_b) && (on_a || end_a) && (on_b || end_b);
 }
 
-// Steps 2 to 4, of a distance.
+// Does height / |n| round to distance, a tie up? Exact. Pre: height < 2^62, squared = |n|^2 < 2^62, distance < 2^31.
+//   (distance -+ 1/2)^2 = distance^2 -+ distance + 1/4
+static bool plane_rounds_to(uint64_t height, uint64_t squared, uint32_t distance) {
+  const uint64_t x = gjk_umul32(distance, distance), quarter = (squared + 3) >> 2;
+  return (distance == 0 || gjk2_reaches(height, squared, x - distance, quarter)) &&
+         !gjk2_reaches(height, squared, x + distance, quarter);
+}
+
+// Steps 2 and 3, of a distance.
 static bool plane_proves_distance(gjk2_search *s, const gjk2_distance_result *result) {
   const gjk2_certificate *c = &result->certificate;
-  gjk2_length length;
   if (result->intersecting) {
-    return result->distance == 0 && !result->saturated && plane_is_together(s, c);
+    return result->distance == 0 && plane_is_together(s, c);
   }
-  if (c->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, c) || gjk2_is_within(-s->base, s->d, s->radius)) {
+  const uint32_t exact = (uint32_t)result->distance + (uint32_t)gjk2_convex_radii(s);
+  if (result->distance < 0 || exact > INT32_MAX || c->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, c)) {
     return false;
   }
-  const uint64_t height = (uint64_t)-s->base;
-  const int32_t radii = gjk2_convex_radii(s);
-  gjk2_length_set(&length, s->d);
-  return gjk2_round_distance(&length, GJK2_ROUND_NEAREST, height) - radii == result->distance &&
-         gjk2_claim_normal(s->d, &result->normal) &&
-         plane_points_hold(s, c, &result->point_a, &result->point_b, result->saturated) &&
-         (result->saturated || gjk2_claim_gap(&length, height, radii, &result->point_a, &result->point_b));
+  const gjk2_vec d = {s->d.x, s->d.y};
+  return line_is_clear(d, s->base, s->radius) && plane_rounds_to((uint64_t)-s->base, (uint64_t)gjk2_dot(d, d), exact);
+}
+
+// Step 4, of a distance that is proven.
+static bool plane_proves_points(const gjk2_search *s, const gjk2_distance_result *result) {
+  if (result->intersecting) {
+    return !result->saturated;
+  }
+  return gjk2_claim_normal(s->d, &result->normal) &&
+         plane_points_hold(s, &result->certificate, &result->point_a, &result->point_b, result->saturated) &&
+         (result->saturated || gjk2_claim_gap(s, result->distance, &result->point_a, &result->point_b));
 }
 
 gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, const gjk2_distance_result *result) {
@@ -229,7 +244,7 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
     return GJK_ERROR_UNSUPPORTED;
   }
   const bool exact = result->lower == result->distance && result->upper == result->distance;
-  return exact && plane_proves_distance(&s, result) ? GJK_OK : GJK_ERROR_UNPROVEN;
+  return exact && plane_proves_distance(&s, result) && plane_proves_points(&s, result) ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
 
 // Do the cores intersect? Proven by a decision of the check's own.

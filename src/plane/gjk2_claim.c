@@ -114,25 +114,26 @@ bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigne
   return false;
 }
 
-// The sign of 8 height / length - eighths. Pre: height < 2^62, 0 < eighths < 2^36.
-static int compare_eighths(const gjk2_length *length, uint64_t height, int64_t eighths) {
+// The sign of 8 height / |n| - eighths. Pre: 0 <= height < 2^62, squared = |n|^2 < 2^62, 0 < eighths < 2^36.
+static int compare_eighths(uint64_t squared, int64_t height, int64_t eighths) {
   gjk_u192 left, right;
   gjk_u192_set(&left, 0);
   gjk_u192_set(&right, 0);
-  add_square_times(&left, (int64_t)height, 64);
-  add_square_times(&right, eighths, length->squared);
+  add_square_times(&left, height, 64);
+  add_square_times(&right, eighths, squared);
   return gjk_u192_compare(&left, &right);
 }
 
-bool gjk2_claim_gap(const gjk2_length *length, uint64_t height, int32_t radius, const gjk2_vec *a, const gjk2_vec *b) {
+bool gjk2_claim_gap(const gjk2_search *s, gjk_q16 distance, const gjk2_vec *a, const gjk2_vec *b) {
   const int64_t x = (int64_t)b->x - a->x, y = (int64_t)b->y - a->y;
-  const int64_t exact = gjk2_round_distance(length, GJK2_ROUND_DOWN, height);
-  // Find the integer `eighths` with eighths <= 8 height / length < eighths + 1.
-  int64_t eighths = 8 * exact;
-  for (int i = 0; i < 7; i++) {
-    eighths += compare_eighths(length, height, eighths + 1) >= 0 ? 1 : 0;
+  const int64_t radii = gjk2_convex_radii(s), exact = distance + radii;
+  const uint64_t length = (uint64_t)gjk2_dot(s->d, s->d);
+  // Find the integer `eighths` with eighths <= 8 |base| / |d| < eighths + 1: from half an LSB below exact on.
+  int64_t eighths = exact > 0 ? 8 * exact - 4 : 0;
+  for (int step = 4; step > 0; step /= 2) {
+    eighths += compare_eighths(length, -s->base, eighths + step) >= 0 ? step : 0;
   }
-  eighths -= 8 * (int64_t)radius;
+  eighths -= 8 * radii;
   gjk_u192 squared, most, least;
   gjk_u192_set(&squared, 0);
   add_square_times(&squared, x, 64);

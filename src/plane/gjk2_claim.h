@@ -17,8 +17,9 @@ bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned co
 // convex radius, reaches that end.
 bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigned count, const gjk2_vec *point);
 
-// Is the distance of the points a and b within 2 LSB of height / length less radius? Pre: that is not negative.
-bool gjk2_claim_gap(const gjk2_length *length, uint64_t height, int32_t radius, const gjk2_vec *a, const gjk2_vec *b);
+// Is the distance of the points a and b within 2 LSB of that of the feature less the convex radii? Pre: the feature's d
+// and base are set, and that rounds to distance, which is not negative.
+bool gjk2_claim_gap(const gjk2_search *s, gjk_q16 distance, const gjk2_vec *a, const gjk2_vec *b);
 
 // Is a - b equal to depth normal, to within 3 LSB and 2^-28 of depth? Pre: 0 <= depth; the normal is proven.
 bool gjk2_claim_overlap(gjk_q16 depth, const gjk2_unit *normal, const gjk2_vec *a, const gjk2_vec *b);

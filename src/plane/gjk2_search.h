@@ -3,7 +3,7 @@
 //
 // The frame. A vertex w of A - B stands relative to the origin of the question "is 0 in A - B?", in LSB:
 //   centres at most 2^30 apart:   |w| <= 2^30 + 2^29 = 3 2^29, exact
-//   farther apart:                w / 2^far, 1 <= far <= 3, rounded to the nearest, with the centres at most 2^30 apart
+//   farther apart:                w / 2^far, 1 <= far <= 3, to the nearest, with the centres at most 2^30 + 2 apart
 // Edges, differences of two vertices, are at most 2^30 long. So products of a vertex and an edge or a vertex are below
 // 9 2^58 < 2^62, their sums of two below 2^63: 64 bits hold every sign. Nothing is rounded in a near frame: the
 // direction across an edge is an integer vector.

@@ -37,8 +37,27 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, uint32_t rad
   s->radius = framed < FRAME_REACH ? (int32_t)framed : (int32_t)FRAME_REACH;
   s->delta.x = (int32_t)shift_far(x, s->far);
   s->delta.y = (int32_t)shift_far(y, s->far);
-  //@ assert s->delta.x >= -(INT32_C(1) << 30) && s->delta.x <= INT32_C(1) << 30;
-  //@ assert s->delta.y >= -(INT32_C(1) << 30) && s->delta.y <= INT32_C(1) << 30;
+  // Each is rounded down, so a negative one may be 1 below.
+  //@ assert s->delta.x >= -(INT32_C(1) << 30) - 1 && s->delta.x <= INT32_C(1) << 30;
+  //@ assert s->delta.y >= -(INT32_C(1) << 30) - 1 && s->delta.y <= INT32_C(1) << 30;
+  return true;
+}
+
+// The start for near centres (gjk2_frame_is_near): as start_far's, for less.
+static bool start_near(gjk2_search *s, bool circles, uint32_t radius) {
+  const gjk2_vec delta = {s->a->centre.x - s->b->centre.x, s->a->centre.y - s->b->centre.y};
+  //@ assert delta.x >= -(INT32_C(1) << 29) - 3 && delta.x <= (INT32_C(1) << 29) + 3;
+  //@ assert delta.y >= -(INT32_C(1) << 29) - 3 && delta.y <= (INT32_C(1) << 29) + 3;
+  // A radius of 2^30 or more exceeds |delta|. Core radii are below 2^28 + 4 each: limit < 2^31.
+  if (circles && radius < UINT32_C(1) << 30) {
+    const int32_t limit = s->a->core_radius + s->b->core_radius + (int32_t)radius;
+    if (gjk2_dot(delta, delta) > gjk_mul32(limit, limit)) {
+      return false;
+    }
+  }
+  s->delta.x = delta.x;
+  s->delta.y = delta.y;
+  s->radius = radius < FRAME_REACH ? (int32_t)radius : (int32_t)FRAME_REACH;
   return true;
 }
 
@@ -61,20 +80,11 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
     if (!start_far(s, circles, radius)) {
       return false;
     }
-  } else {
-    s->delta = gjk2_sub(a->centre, b->centre);
-    //@ assert s->delta.x >= -(INT32_C(1) << 29) - 3 && s->delta.x <= (INT32_C(1) << 29) + 3;
-    //@ assert s->delta.y >= -(INT32_C(1) << 29) - 3 && s->delta.y <= (INT32_C(1) << 29) + 3;
-    // A radius of 2^30 or more exceeds |delta|. Core radii are below 2^28 + 4 each: limit < 2^31.
-    if (circles && radius >> 30 == 0) {
-      const int32_t limit = a->core_radius + b->core_radius + (int32_t)radius;
-      if (gjk2_dot(s->delta, s->delta) > gjk_mul32(limit, limit)) {
-        return false;
-      }
-    }
-    s->radius = radius < FRAME_REACH ? (int32_t)radius : (int32_t)FRAME_REACH;
+  } else if (!start_near(s, circles, radius)) {
+    return false;
   }
-  s->d = gjk2_negate(s->delta);
+  s->d.x = -s->delta.x;
+  s->d.y = -s->delta.y;
   gjk2_search_need_direction(s);
   s->walks = s->far == 0 && a->ordered && b->ordered;
   if (!s->walks) {  // curved shapes have no vertices in order

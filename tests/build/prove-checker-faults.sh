@@ -45,6 +45,13 @@ fault base-of-other-sign $check plane_set_feature 's->base = gjk2_cross(w[0], w[
 fault radius-left-out $check line_is_clear '(-height, d, radius)' '(-height, d, 0)' "$open"
 fault support-not-asked $check plane_is_nearest ' && support(s, s->d) == s->base' '' "$open"
 fault proof-of-no-kind $check plane_is_apart 'certificate->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, certificate)' 'certificate->proof != GJK2_PROOF_NEAREST' "$open"
+fault edge-without-foot $check plane_set_feature 'return s->base < 0 && has_foot(&w[0], &w[1]);' 'return s->base < 0;' "$open"
+fault tie-down $check plane_rounds_to 'quarter = (squared + 3) >> 2;' 'quarter = (squared + 4) >> 2;' "$open"
+fault radii-left-out $check plane_proves_distance '(uint32_t)result->distance + (uint32_t)gjk2_convex_radii(s);' '(uint32_t)result->distance;' "$open"
+frame=src/plane/gjk2_search_frame.c
+fault far-is-near $frame is_long 'UINT64_C(1) << 60;' 'UINT64_C(1) << 62;' "$open"
+fault circles-touch $frame start_near '> gjk_mul32(limit, limit)' '>= gjk_mul32(limit, limit)' "$open"
+fault delta-of-other-sign $frame start_near 's->a->centre.y - s->b->centre.y;' 's->b->centre.y - s->a->centre.y;' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Proves the checker of the plane's decisions, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
+# Proves the checker of the plane's decisions and distances, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
 # no vertices: prove-checker.sh BUILD [quick | hull | FUNCTION...]
 #
 # tests/prove/README.md tells what is proven. Each lemma and each obligation of a function is printed with its prover. One
@@ -89,6 +89,15 @@ theorems() {
     "$dir/hull.axioms" && [ "$(grep -c '^Axioms:' "$dir/hull.txt")" = "$(grep -c '^Theorem' "$dir/$spec/hull.v")" ]
 }
 
+# What src/README.md says has to be believed.
+counted() {
+  python3 tests/build/trust-lines.py >"$dir/lines.txt" || return 1
+  cat "$dir/lines.txt"
+  sed 's/:.*//' "$dir/lines.txt" | while read -r said; do
+    tr '\n' ' ' <src/README.md | grep -qF "$said" || { echo "src/README.md does not say: $said"; exit 1; }
+  done
+}
+
 for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
   if ! have "${tool%%:*}"; then
     skip 'the proof of the checker' "${tool##*:}"
@@ -100,6 +109,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 check 'the annotations stand in the sources, which are as they were' annotate
 check 'the provers are known' provers
+[ "$wanted" != quick ] && [ -n "$wanted" ] || check 'src/README.md counts what has to be believed' counted
 [ $failed = 0 ] || { finish prove-checker; exit; }
 if [ -z "$wanted" ]; then
   wp lemmas gcc_x86_32 '' plane.c -wp-prop=@lemma >"$dir/lemmas.goals"

@@ -108,6 +108,22 @@
       !farther(cross(x, y, u, v) < 0 ? -cross(x, y, u, v) : cross(x, y, u, v), r, dot(u - x, v - y, u - x, v - y));
     lemma near_size: \forall integer x, y, u, v, r; near_size(x, y, u, v, r); */
 
+// h / |d| rounds to n, a tie up, where square is |d|^2.
+/*@ predicate rounded(integer h, integer square, integer n) =
+      (n == 0 || 4 * h * h >= (2 * n - 1) * (2 * n - 1) * square) && 4 * h * h < (2 * n + 1) * (2 * n + 1) * square;
+    predicate half(integer h, integer square, integer x, integer rest) =
+      reaches(h, square, x, rest) <==> 4 * h * h >= (4 * x + 1) * square;
+    lemma half: \forall integer h, square, x, rest; square <= 4 * rest < square + 4 ==> half(h, square, x, rest);
+    predicate rounded_by(integer h, integer square, integer n, integer x) = rounded(h, square, n) <==>
+      (n == 0 || 4 * h * h >= (4 * (x - n) + 1) * square) && 4 * h * h < (4 * (x + n) + 1) * square;
+    lemma rounded: \forall integer h, square, n, x; x == n * n ==> rounded_by(h, square, n, x); */
+
+// d . w = h is the line across the vertex (x, y), or the line of the edge that has the origin's foot.
+/*@ predicate of_vertex(integer x, integer y, integer dx, integer dy, integer h) =
+      dx == -x && dy == -y && h == -dot(x, y, x, y);
+    predicate of_edge(integer x, integer y, integer u, integer v, integer dx, integer dy, integer h) =
+      foot(x, y, u, v) && dx == v - y && dy == -(u - x) && h == cross(x, y, u, v); */
+
 // A line that the checker takes: d . w = h.
 /*@ predicate line(integer dx, integer dy, integer h) = -0x60000000 <= dx <= 0x60000000 && -0x60000000 <= dy <= 0x60000000 &&
       -0x4000000000000000 < h < 0 && dot(dx, dy, dx, dy) < 0x4000000000000000 &&

@@ -35,14 +35,18 @@ Definition near_edge (r : Z) := exists i j k l px py qx qy,
 Definition behind (dx dy h : Z) := forall i j, (i < na)%nat -> (j < nb)%nat ->
   dot x y dx dy + dot (ax i) (ay i) dx dy + dot (bx j) (bl j) (- dx) (- dy) <= h.
 Definition clear (dx dy h r : Z) := h < 0 /\ farther (- h) r (dot dx dy dx dy).
-Definition of_vertex (dx dy h : Z) := exists i j px py, named i j px py /\
-  dx = - px /\ dy = - py /\ h = - dot px py px py.
-Definition of_edge (dx dy h : Z) := exists i j k l px py qx qy, named i j px py /\ named k l qx qy /\
-  foot px py qx qy /\ dx = qy - py /\ dy = - (qx - px) /\ h = cross px py qx qy.
+Definition of_vertex (x y dx dy h : Z) := dx = - x /\ dy = - y /\ h = - dot x y x y.
+Definition of_edge (x y u v dx dy h : Z) := foot x y u v /\ dx = v - y /\ dy = - (u - x) /\ h = cross x y u v.
+Definition feature (count : Z) (i j k l : nat) (dx dy h : Z) := (i < na)%nat /\ (j < nb)%nat /\
+  (count = 1 -> of_vertex (x + ax i - bx j) (y + ay i - bl j) dx dy h) /\
+  (count <> 1 -> (k < na)%nat /\ (l < nb)%nat /\ of_edge (x + ax i - bx j) (y + ay i - bl j)
+    (x + ax k - bx l) (y + ay k - bl l) dx dy h).
 Definition rounded (h square n : Z) :=
   (n = 0 \/ 4 * h * h >= (2 * n - 1) * (2 * n - 1) * square) /\ 4 * h * h < (2 * n + 1) * (2 * n + 1) * square.
-Definition measured (r distance : Z) := exists dx dy h, behind dx dy h /\
-  (of_vertex dx dy h \/ of_edge dx dy h) /\ clear dx dy h r /\ rounded (- h) (dot dx dy dx dy) (distance + r).
+Definition line_measures (r distance dx dy h : Z) :=
+  behind dx dy h /\ clear dx dy h r /\ rounded (- h) (dot dx dy dx dy) (distance + r).
+Definition measured (r distance count : Z) (i j k l : nat) := exists dx dy h,
+  feature count i j k l dx dy h /\ line_measures r distance dx dy h.
 
 Open Scope R_scope.
 
@@ -393,16 +397,22 @@ Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
 Proof. intros B H. apply Rnot_le_lt. intros C. pose proof (Rmult_le_compat b a b a B B C C). lra. Qed.
 
 (* The feature has a point |h| / |d| from the origin. *)
-Lemma feature_point dx dy h l : of_vertex dx dy h \/ of_edge dx dy h -> (h < 0)%Z -> 0 < l ->
+Lemma feature_point count i j k m dx dy h l : feature count i j k m dx dy h -> (h < 0)%Z -> 0 < l ->
   IZR dx * IZR dx + IZR dy * IZR dy = l * l -> exists u v, in_difference u v /\ u * u + v * v = (- IZR h / l) * (- IZR h / l).
 Proof.
   intros F H L LL. assert (scale : forall w, w * (l * l) = IZR h * IZR h -> w = (- IZR h / l) * (- IZR h / l)).
   { intros w W. replace ((- IZR h / l) * (- IZR h / l)) with (IZR h * IZR h / (l * l)) by (field; lra).
     rewrite <- W. field. lra. }
-  destruct F as [(i & j & px & py & P & -> & -> & ->) | (i & j & k & m & px & py & qx & qy & P & Q & (F & G) & -> & -> & ->)].
-  - apply named_in in P. exists (IZR px), (IZR py). split; [exact P |]. apply scale. unfold dot.
+  destruct F as (I & J & V & E). pose (px := (x + ax i - bx j)%Z). pose (py := (y + ay i - bl j)%Z).
+  assert (P : named i j px py) by (repeat split; assumption). apply named_in in P.
+  destruct (Z.eq_dec count 1) as [one | edge].
+  - destruct (V one) as (-> & -> & ->). fold px py in LL, scale |- *. clearbody px py. exists (IZR px), (IZR py). split; [exact P |]. apply scale. unfold dot.
     rewrite <- LL. rewrite !opp_IZR, plus_IZR, !mult_IZR. ring.
-  - apply named_in in P, Q. unfold dot, cross in *. apply IZR_lt in F. apply Z.gt_lt, IZR_lt in G.
+  - destruct (E edge) as (KA & MB & (F & G) & -> & -> & ->).
+    pose (qx := (x + ax k - bx m)%Z). pose (qy := (y + ay k - bl m)%Z).
+    assert (Q : named k m qx qy) by (repeat split; assumption). apply named_in in Q. fold px py qx qy in F, G, LL, scale |- *.
+    clearbody px py qx qy. clear V E.
+    unfold dot, cross in *. apply IZR_lt in F. apply Z.gt_lt, IZR_lt in G.
     repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in *.
     set (p := IZR px) in *. set (q := IZR py) in *. set (u := IZR qx) in *. set (v := IZR qy) in *.
     set (f := p * (u - p) + q * (v - q)) in *.
@@ -421,11 +431,11 @@ Proof.
 Qed.
 
 (* A distance: the shapes have one, which rounds to what is checked, a tie up. *)
-Theorem distance_rounds : measured (ra + rb) d -> exists m, 0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\
+Theorem distance_rounds count i1 j1 i2 j2 : measured (ra + rb) d count i1 j1 i2 j2 -> exists m, 0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\
   (forall u v s t, in_a u v -> in_b s t -> m <= sqrt (square_apart u v s t)) /\
   (exists u v s t, in_a u v /\ in_b s t /\ sqrt (square_apart u v s t) = m).
 Proof.
-  intros (dx & dy & h & B & F & (H & C) & R1 & R2).
+  intros (dx & dy & h & F & B & (H & C) & R1 & R2).
   pose proof radii as (RA & RB & D). apply IZR_le in RA, RB, D.
   set (l := sqrt (IZR dx * IZR dx + IZR dy * IZR dy)).
   assert (L0 : 0 <= l) by apply sqrt_pos.
@@ -475,7 +485,7 @@ Proof.
     assert (E3 : (- (u - s)) * (- (u - s)) + (- (v - t)) * (- (v - t)) <= n * n) by (unfold square_apart in N; lra).
     pose proof (cauchy l n (IZR dx) (IZR dy) _ _ L0 N0 LL E3) as A3.
     apply Rmult_le_reg_l with l; [exact L |]. lra.
-  - destruct (feature_point dx dy h l F H L LL) as (u & v & X & Y). fold g in Y.
+  - destruct (feature_point _ _ _ _ _ dx dy h l F H L LL) as (u & v & X & Y). fold g in Y.
     destruct (difference_exact u v g X Y G0 ltac:(lra)) as (e & f & s & t & A & Z & S).
     exists e, f, s, t. split; [exact A |]. split; [exact Z |]. rewrite S.
     replace (g - IZR ra - IZR rb) with (g - (IZR ra + IZR rb)) by lra. apply sqrt_square. lra.

@@ -8,6 +8,7 @@
       axiom to_u16: \forall integer x; (uint16_t)x == x - 0x10000 * (x >> 16);
       axiom to_u32: \forall integer x; (uint32_t)x == x - 0x100000000 * (x >> 32);
       axiom to_u64: \forall integer x; (uint64_t)x == x - 0x10000000000000000 * (x >> 64);
+      axiom shift0: \forall integer x, n; n == 0 ==> (x >> n) == x;
       axiom shift1: \forall integer x; 2 * (x >> 1) <= x < 2 * (x >> 1) + 2;
       axiom shift2: \forall integer x; 4 * (x >> 2) <= x < 4 * (x >> 2) + 4;
       axiom shift16: \forall integer x; 0x10000 * (x >> 16) <= x < 0x10000 * (x >> 16) + 0x10000;

@@ -111,6 +111,7 @@ bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest);
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius);
 
 // A search in a near frame.
+#define RADII(a, b) ((a)->shape->convex_radius + (b)->shape->convex_radius)
 #define COLLIDER(c) (\valid_read(c) && \valid_read((c)->shape) && \valid_read((c)->shape->type) && polygonal(c))
 #define BESIDE(s, c) (\separated(s, c) && \separated(s, (c)->shape) && \separated(s, (c)->shape->type))
 #define BOTH(s) (COLLIDER(s->a) && COLLIDER(s->b))
@@ -189,16 +190,28 @@ static bool has_foot(const gjk2_vec *p, const gjk2_vec *q);
 
 #define LINE(s) line(s->d.x, s->d.y, s->base)
 
+// d . w = h is the line of the feature of A - B that `count` names: the vertex (i, j), or the edge from there to (k, l).
+/*@ predicate feature(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer count,
+        integer i, integer j, integer k, integer l, integer dx, integer dy, integer h) =
+      0 <= i < na && 0 <= j < nb &&
+      (count == 1 ==> of_vertex(x + vx(a, i) - vx(b, j), y + vy(a, i) - vy(b, j), dx, dy, h)) &&
+      (count != 1 ==> 0 <= k < na && 0 <= l < nb && of_edge(x + vx(a, i) - vx(b, j), y + vy(a, i) - vy(b, j),
+        x + vx(a, k) - vx(b, l), y + vy(a, k) - vy(b, l), dx, dy, h)); */
+#define NAMES(c) (c).count, (c).a[0], (c).b[0], (c).a[1], (c).b[1]
+#define FEATURE(s, c) feature(COUNTS(s), NAMES(*c), s->d.x, s->d.y, s->base)
+
 /*@ requires PAIR(s) && CERTIFICATE(s, certificate);
-    assigns s->d, s->base;
+    assigns s->d.x, s->d.y, s->base;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> LINE(s); */
+    ensures \result == 1 ==> LINE(s);
+    ensures feature: \result == 1 ==> FEATURE(s, certificate); */
 static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificate);
 
 /*@ requires PAIR(s) && CERTIFICATE(s, certificate);
-    assigns s->d, s->base;
+    assigns s->d.x, s->d.y, s->base;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> LINE(s) && behind(COUNTS(s), s->d.x, s->d.y, s->base); */
+    ensures \result == 1 ==> LINE(s) && behind(COUNTS(s), s->d.x, s->d.y, s->base);
+    ensures feature: \result == 1 ==> FEATURE(s, certificate); */
 static bool plane_is_nearest(gjk2_search *s, const gjk2_certificate *certificate);
 
 /*@ requires SPOT(p) && SPOT(q);
@@ -266,7 +279,7 @@ static bool direction_separates(const gjk2_search *s, const gjk2_vec *direction,
 
 /*@ requires PAIR(s) && CERTIFICATE(s, certificate) && 0 <= radius;
     requires s->radius == (radius < REACH ? radius : REACH);
-    assigns s->d, s->base;
+    assigns s->d.x, s->d.y, s->base;
     ensures \result == 0 || \result == 1;
     ensures \result == 1 ==> separated_by(COUNTS(s), radius); */
 static bool plane_is_apart(gjk2_search *s, const gjk2_certificate *certificate, int64_t radius);
@@ -276,6 +289,41 @@ static bool plane_is_apart(gjk2_search *s, const gjk2_certificate *certificate, 
     ensures \result == 0 || \result == 1;
     ensures \result == 1 ==> enclosing(COUNTS(s)) || near_vertex(COUNTS(s), s->radius) || near_edge(COUNTS(s), s->radius); */
 static bool plane_is_together(const gjk2_search *s, const gjk2_certificate *certificate);
+
+/*@ requires height < 0x4000000000000000 && squared < 0x4000000000000000 && distance < 0x80000000;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> rounded(height, squared, distance); */
+static bool plane_rounds_to(uint64_t height, uint64_t squared, uint32_t distance);
+
+// The distance of A and B, with r for both radii, is that of the line from the origin, rounded.
+/*@ predicate line_measures(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r,
+        integer distance, integer dx, integer dy, integer h) =
+      behind(a, b, x, y, na, nb, dx, dy, h) && clear(dx, dy, h, r) && rounded(-h, dot(dx, dy, dx, dy), distance + r);
+    predicate measured(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r,
+        integer distance, integer count, integer i, integer j, integer k, integer l) = \exists integer dx, dy, h;
+      feature(a, b, x, y, na, nb, count, i, j, k, l, dx, dy, h) &&
+      line_measures(a, b, x, y, na, nb, r, distance, dx, dy, h); */
+
+/*@ requires \valid_read(s) && \valid_read(s->a) && \valid_read(s->b) && \valid_read(s->a->shape) && \valid_read(s->b->shape);
+    requires -0x80000000 <= RADII(s->a, s->b) <= 0x7fffffff;
+    assigns \nothing;
+    ensures \result == RADII(s->a, s->b); */
+static inline int32_t gjk2_convex_radii(const gjk2_search *s);
+
+/*@ requires PAIR(s) && \valid_read(result) && \separated(s, result);
+    requires 0 <= s->radius <= 0x20000000 && s->radius == RADII(s->a, s->b);
+    assigns s->d.x, s->d.y, s->base;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> 0 <= result->distance;
+    ensures meet: \result == 1 && result->intersecting != 0 ==> result->distance == 0 && (enclosing(COUNTS(s)) ||
+      near_vertex(COUNTS(s), s->radius) || near_edge(COUNTS(s), s->radius));
+    ensures apart: \result == 1 && result->intersecting == 0 ==>
+      measured(COUNTS(s), s->radius, result->distance, NAMES(result->certificate)); */
+static bool plane_proves_distance(gjk2_search *s, const gjk2_distance_result *result);
+
+/*@ assigns \nothing; */
+static bool plane_proves_points(const gjk2_search *s, const gjk2_distance_result *result);
 
 // The frame.
 /*@ requires \valid_read(shape) && \valid_read(shape->type);
@@ -308,9 +356,9 @@ static inline bool gjk2_frame_is_near(const gjk2_collider *a, const gjk2_collide
 /*@ requires n <= 3;
     assigns \nothing;
     ensures n == 0 ==> \result == x;
-    ensures 0 <= x ==> 0 <= \result <= x;
-    ensures 0 <= x && n >= 1 ==> 2 * \result <= x;
-    ensures 0 <= x && n >= 3 ==> 8 * \result <= x; */
+    ensures n == 1 ==> 2 * \result <= x < 2 * \result + 2;
+    ensures n == 2 ==> 4 * \result <= x < 4 * \result + 4;
+    ensures n == 3 ==> 8 * \result <= x < 8 * \result + 8; */
 static int64_t shift_far(int64_t x, unsigned n);
 
 /*@ requires 0 <= x <= 0x100000000 && 0 <= y <= 0x100000000 && far <= 3;
@@ -318,23 +366,33 @@ static int64_t shift_far(int64_t x, unsigned n);
     assigns \nothing;
     ensures \result == 0 || \result == 1;
     ensures far == 0 && \result == 0 ==> in_disc(x, y, 0x40000000);
+    ensures far == 1 && \result == 0 ==> x <= 0x80000001 && y <= 0x80000001;
     ensures far == 3 ==> \result == 0; */
 static bool is_long(int64_t x, int64_t y, unsigned far);
 
 #define APART_X(a, b) (a->centre.x - b->centre.x)
 #define APART_Y(a, b) (a->centre.y - b->centre.y)
 #define CIRCLES(a, b, radius) circles_apart(APART_X(a, b), APART_Y(a, b), a->core_radius + b->core_radius + radius)
-#define RADII(a, b) (a->shape->convex_radius + b->shape->convex_radius)
 #define RADIUS(r) ((r) < REACH ? (r) : REACH)
+#define ROUND(s, c) (\valid_read(c) && \separated(s, c) && 0 <= (c)->core_radius <= 0x10000000)
 #define FRAMED(s, a, b, radius)                                                                                 \
   (s->delta.x == APART_X(a, b) && s->delta.y == APART_Y(a, b) && in_disc(s->delta.x, s->delta.y, 0x40000000) && \
    s->radius == RADIUS(radius))
 
-/*@ requires \valid(s) && posed(s->a) && posed(s->b) && BESIDE(s, s->a) && BESIDE(s, s->b);
-    assigns s->far, s->radius, s->delta;
+/*@ requires \valid(s) && ROUND(s, s->a) && ROUND(s, s->b);
+    requires close_centres(APART_X(s->a, s->b), APART_Y(s->a, s->b));
+    assigns s->radius, s->delta.x, s->delta.y;
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> circles != 0 && CIRCLES(s->a, s->b, radius);
-    ensures \result == 1 && s->far == 0 ==> FRAMED(s, s->a, s->b, radius); */
+    ensures \result == 1 ==> FRAMED(s, s->a, s->b, radius) && close_centres(s->delta.x, s->delta.y); */
+static bool start_near(gjk2_search *s, bool circles, uint32_t radius);
+
+/*@ requires \valid(s) && ROUND(s, s->a) && ROUND(s, s->b);
+    assigns s->far, s->radius, s->delta.x, s->delta.y;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 0 ==> circles != 0 && CIRCLES(s->a, s->b, radius);
+    ensures \result == 1 && s->far == 0 ==> FRAMED(s, s->a, s->b, radius);
+    ensures \result == 1 ==> -0x40000001 <= s->delta.x <= 0x40000000 && -0x40000001 <= s->delta.y <= 0x40000000; */
 static bool start_far(gjk2_search *s, bool circles, uint32_t radius);
 
 /*@ requires \valid(s) && posed(a) && posed(b) && BESIDE(s, a) && BESIDE(s, b);
@@ -360,5 +418,14 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
     ensures \result == GJK_OK ==> 0 <= distance; */
 gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance,
                                const gjk2_decision *decision);
+
+// What a checked distance means for the vertices.
+/*@ requires posed(a) && posed(b) && \valid_read(result);
+    assigns \nothing;
+    ensures \result == GJK_OK ==> 0 <= result->distance;
+    ensures meet: \result == GJK_OK && result->intersecting != 0 ==> result->distance == 0 && TOGETHER(a, b, RADII(a, b));
+    ensures apart: \result == GJK_OK && result->intersecting == 0 ==> measured(a, b, APART_X(a, b), APART_Y(a, b), a->count,
+      b->count, RADII(a, b), result->distance, NAMES(result->certificate)); */
+gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, const gjk2_distance_result *result);
 
 #endif

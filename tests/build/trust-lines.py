@@ -1,0 +1,49 @@
+# What has to be believed of the plane's checker, in lines: trust-lines.py. Comments and empty lines do not count.
+#
+# Proven: the functions of tests/prove/checker/functions.txt. To be read: operators.h; the contracts of the two checks, with
+# each word that they use; the definitions and theorems of hull.v, without proofs.
+import re
+import sys
+
+spec = "tests/prove/checker/"
+
+
+def lines(path):
+    return [s for s in open(path).read().split("\n") if s.strip() and not s.lstrip().startswith(("//", "#"))]
+
+
+def function(name):
+    """The lines of a function's body and head."""
+    for path in ("arith/gjk_wide.c", "arith/gjk_wide.h", "plane/gjk2_check.c", "plane/gjk2_measure.c", "plane/gjk2_measure.h",
+                 "plane/gjk2_search.h", "plane/gjk2_search_frame.c", "plane/gjk2_vector.h", "plane/gjk2_class.h"):
+        found = re.search(r"^[a-zA-Z][^\n;{}]*\b" + name + r"\([^;{}]*\) \{\n.*?^\}$", open("src/" + path).read(), re.M | re.S)
+        if found:
+            return [s for s in found.group().split("\n") if s.strip() and not s.lstrip().startswith("//")]
+    sys.exit("no function " + name)
+
+
+# The words of the contracts: predicates, logic functions and macros.
+text = "".join(open(spec + name).read() for name in ("geometry.h", "wide.h", "plane.h"))
+words = {}
+for clause in re.findall(r"(?:predicate|logic integer) .*?(?:;|\*/)", text, re.S):
+    words[re.match(r"(?:predicate|logic integer) (\w+)", clause).group(1)] = clause
+for macro in re.findall(r"^#define (?:.*\\\n)*.*", text, re.M):
+    words[re.match(r"#define (\w+)", macro).group(1)] = macro
+contracts = [re.search(r"/\*@ requires(?:(?!/\*@).)*?gjk_status " + name + r"\(", text, re.S).group()
+             for name in ("gjk2_check_decision", "gjk2_check_distance")]
+contracts.append(re.search(r"/\*@ requires(?:(?!/\*@).)*?bool plane_vertex\(", text, re.S).group())
+used, todo = set(), contracts[:]
+while todo:
+    for word in re.findall(r"\w+", todo.pop()):
+        if word in words and word not in used:
+            used.add(word)
+            todo.append(words[word])
+contract_lines = sum(len(t.split("\n")) for t in contracts + [words[w] for w in used])
+
+hull = re.sub(r"^Proof\..*?Qed\.$|^Lemma .*?Qed\.$|\(\*.*?\*\)", "", open(spec + "hull.v").read(), flags=re.M | re.S)
+hull_lines = len([s for s in hull.split("\n") if s.strip() and not s.startswith("Print")])
+axioms = len(lines(spec + "operators.h"))
+names = [s.split()[1] for s in lines(spec + "functions.txt")]
+print("%d lines of C in %d functions are proven" % (sum(len(function(n)) for n in names), len(names)))
+print("%d lines of specification: %d of contracts and their words, %d of operators, %d of definitions and theorems" %
+      (contract_lines + axioms + hull_lines, contract_lines, axioms, hull_lines))
