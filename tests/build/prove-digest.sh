@@ -1,8 +1,8 @@
 # Of which code each run of the proof is: for prove.sh, after prove-setup.sh.
 #
 # tests/prove/digests.txt has a line RUN, tab, DIGEST for each run that last held on the code with that digest. It covers the
-# files that the run analyses, and the headers that they include, without comments but the `//@` ones; the run's options;
-# and what open.txt lists for it.
+# files that the run analyses, and the headers that they include, without comments but the `//@` ones and GJK_BITS_VERSION; the
+# run's options; and what open.txt lists for it.
 
 # Leaves the digest of each file without its comments in $dir/files, and what it includes: FILE, tab, DIGEST, tab, NAMES.
 normalize() {
@@ -23,7 +23,7 @@ normalize() {
           gsub(/[ \t]+/, " ", line)
           sub(/^ /, "", line)
           sub(/ $/, "", line)
-          if (line == "") continue
+          if (line == "" || line ~ /^#define GJK_BITS_VERSION /) continue
           print line >out
           if (line ~ /^# ?include "/) {
             gsub(/^[^"]*"|".*$/, "", line)
