@@ -5,7 +5,7 @@
 // answer can be proven like that of a pair: gjk_parts_place makes the part's collider for the checks of gjk/check.h.
 //
 // Order    Answers depend neither on the order of the parts in memory nor on the tree above them. Ties go to the part
-//          with the lowest number. gjk_parts_manifolds has a rule of its own.
+//          with the lowest number.
 // Numbers  Parts count from 0. Where a pointer for a number may be NULL, NULL means that the number is not wanted.
 // Caches   There are none: every part is queried from a cold start.
 // Statuses of every call, in addition to its own; they leave the outputs as they were:
@@ -135,7 +135,7 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
 //            are more than most, the same ones are kept as by gjk_contacts.
 // Room       If there are more normals than capacity, the least deep are left out. A normal that is left out for a
 //            while loses its contacts, so the manifolds that are kept may then depend on capacity.
-// Order      The manifolds may depend on the order of the parts in memory and on the tree. Lockstep peers share both.
+// Order      Parts are taken in the order of their numbers, so the manifolds do not depend on the tree.
 // Surfaces   Contacts of a mesh or height field are those of gjk_surface_contacts.
 // Ids        as in gjk_contacts, mixed with the number of the part. Each is unique within its manifold.
 // Features   those of the deepest part.

@@ -1,13 +1,14 @@
 // The contacts of bodies of many parts, put together by their normals: few manifolds, whatever the number of parts.
 //
-// 1. Ask each part whose box is near for its contacts. A surface gives those that it has as a whole.
+// 1. Ask each part whose box is near for its contacts, the lowest numbers first. A surface gives those that it has as a whole.
 // 2. Its manifold joins the one whose normal is nearest to its own, if that is within the angle. Otherwise it begins
 //    another one, in the place of the one that is least deep where there is no room.
 // 3. Contacts in one place count once: neighbours share the points of the edge between them. Ids are made different.
 // 4. Of more contacts than a manifold holds gjk_reduce keeps some; in the end of each, as many as are wanted.
 // 5. Order the manifolds by their depth.
 //
-// The order of the walk is fixed by the data, so what is kept depends on shapes and poses alone.
+// Steps 2 to 4 depend on which part comes first, and walks have orders of their own. So step 1 takes the parts in the
+// order of their numbers, NUMBERS_AT_ONCE at a time: what is kept depends on shapes, poses and numbers alone.
 #include "../arith/gjk_memory.h"
 #include "../contact/gjk_reduce.h"
 #include "gjk_parts_both.h"
@@ -21,6 +22,9 @@
 
 // By how much the deeper one of two in one place has to be deeper to take it, LSB: more than rounding.
 #define PLACE_DEEPER 4
+
+// How many numbers of parts a walk puts in order. Of more parts, another walk finds the next ones.
+#define NUMBERS_AT_ONCE 32
 
 typedef struct joined_contacts {
   gjk_manifold *manifolds;
@@ -166,42 +170,85 @@ static uint16_t mark_of(uint32_t part, uint32_t of_b) {
   return (uint16_t)(mixed >> 16 ^ (mixed & 0xFFFFu));
 }
 
-// Step 1, for one collider. Pre: the region is that of b.
-static gjk_status join_parts(const gjk_parts_frame *frame, gjk_region *region, const gjk_collider *b, uint32_t of_b,
-                             joined_contacts *j) {
+// Numbers of parts, ascending.
+typedef struct part_numbers {
+  uint32_t number[NUMBERS_AT_ONCE];
+  unsigned count;
+} part_numbers;
+
+// Step 1: the lowest numbers from `from` on of parts that the region meets. Returns whether there are more.
+static bool find_numbers(const gjk_parts_frame *frame, const gjk_region *region, uint32_t from, part_numbers *out) {
   gjk_parts_walk walk;
-  gjk_parts_room room;
-  gjk_collider c;
-  gjk_cache cache;
-  gjk_manifold m;
   uint32_t number;
-  const gjk_parts_class *type = frame->parts->type;
-  gjk_zero(&cache, sizeof cache);
-  gjk_region_grow(region, j->margin);
+  bool more = false;
+  out->count = 0;
   gjk_parts_walk_start(&walk);
   while (gjk_parts_next(frame, region, &walk, &number)) {  // ends: each part comes once
-    gjk_status status;
-    m.count = 0;
-    if (type->meet != NULL) {
-      status = type->meet(frame, number, b, j->margin, GJK_CONTACTS_MAX, &cache, j->workspace, &m);
-    } else {
-      status = gjk_parts_place_in(frame, number, &room, &c);
-      status = status == GJK_OK ? gjk_contacts(&c, b, j->margin, GJK_CONTACTS_MAX, NULL, j->workspace, &m) : status;
-    }
-    if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
-      return status;
-    }
-    j->status = status == GJK_OK || j->status == GJK_ERROR_ITERATION_LIMIT ? j->status : status;
-    if (status == GJK_ERROR_ITERATION_LIMIT || m.count == 0) {
+    if (number < from) {
       continue;
     }
-    const uint16_t mark = mark_of(number, of_b);
-    for (unsigned i = 0; i < m.count; i++) {
-      m.contact[i].id = (uint16_t)(m.contact[i].id ^ mark);
+    const bool full = out->count == NUMBERS_AT_ONCE;
+    more = more || full;
+    if (full && number > out->number[NUMBERS_AT_ONCE - 1]) {
+      continue;
     }
-    take_manifold(j, &m);
+    unsigned at = full ? NUMBERS_AT_ONCE - 1 : out->count++;
+    for (; at > 0 && out->number[at - 1] > number; at--) {
+      out->number[at] = out->number[at - 1];
+    }
+    out->number[at] = number;
   }
+  return more;
+}
+
+// Steps 1 to 4 for one part.
+static gjk_status join_part(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, uint32_t of_b,
+                            gjk_cache *cache, joined_contacts *j) {
+  gjk_parts_room room;
+  gjk_collider c;
+  gjk_manifold m;
+  gjk_status status;
+  const gjk_parts_class *type = frame->parts->type;
+  m.count = 0;
+  if (type->meet != NULL) {
+    status = type->meet(frame, number, b, j->margin, GJK_CONTACTS_MAX, cache, j->workspace, &m);
+  } else {
+    status = gjk_parts_place_in(frame, number, &room, &c);
+    status = status == GJK_OK ? gjk_contacts(&c, b, j->margin, GJK_CONTACTS_MAX, NULL, j->workspace, &m) : status;
+  }
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
+    return status;
+  }
+  j->status = status == GJK_OK || j->status == GJK_ERROR_ITERATION_LIMIT ? j->status : status;
+  if (status == GJK_ERROR_ITERATION_LIMIT || m.count == 0) {
+    return GJK_OK;
+  }
+  const uint16_t mark = mark_of(number, of_b);
+  for (unsigned i = 0; i < m.count; i++) {
+    m.contact[i].id = (uint16_t)(m.contact[i].id ^ mark);
+  }
+  take_manifold(j, &m);
   return GJK_OK;
+}
+
+// For one collider. Pre: the region is that of b.
+static gjk_status join_parts(const gjk_parts_frame *frame, gjk_region *region, const gjk_collider *b, uint32_t of_b,
+                             joined_contacts *j) {
+  part_numbers n;
+  gjk_cache cache;
+  uint32_t from = 0;
+  bool more = true;
+  gjk_status status = GJK_OK;
+  gjk_zero(&cache, sizeof cache);
+  gjk_region_grow(region, j->margin);
+  while (more && status == GJK_OK) {  // ends: from rises
+    more = find_numbers(frame, region, from, &n);
+    for (unsigned i = 0; i < n.count && status == GJK_OK; i++) {
+      status = join_part(frame, n.number[i], b, of_b, &cache, j);
+      from = n.number[i] + 1;  // numbers are below 2^32 - 1
+    }
+  }
+  return status;
 }
 
 // Steps 4 and 5.

@@ -18,7 +18,7 @@ ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,long
 EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
 TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_measure:20
 BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
-MANIFOLDS_LEVELS=keep_contacts:50,join_manifold:20,reduce_manifold:20,take_manifold:50,join_parts:50,finish_manifolds:50,\
+MANIFOLDS_LEVELS=keep_contacts:50,join_manifold:20,reduce_manifold:20,take_manifold:50,join_parts:50,join_part:50,find_numbers:50,finish_manifolds:50,\
 report_manifolds:50,gjk_parts_manifolds:50,gjk_parts_both_manifolds:50,main:50,ask:50
 CAST_LEVELS=main:50,ask:100,gjk_parts_cast:200,gjk_parts_both_cast:200,gjk_parts_cast_ray:200,gjk_parts_both_open:100,set_way_of_a:100,\
 cast_against:200,cast_part:100,start_region:100,gjk_parts_frame_set:50

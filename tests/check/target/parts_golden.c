@@ -249,13 +249,19 @@ static void query_still(random_state *random, int32_t size) {
 static void query_contacts(random_state *random, int32_t size) {
   static gjk_parts_manifold of_parts[FOUND];
   static gjk_surface_contact of_surface[FOUND];
+  static gjk_manifold together[FOUND];
   const gjk_workspace workspace = {cells, random_below(random, CELLS + 1)};
   uint32_t count = 0;
   uint16_t few = 0;
+  unsigned groups = 0;
   mix((uint32_t)gjk_parts_contacts(&body, &visitor, size / 32, 4, &workspace, of_parts, FOUND, &count));
   mix(count);
   for (unsigned i = 0; i < count && i < FOUND; i++) {
     mix_manifold(of_parts[i].part, &of_parts[i].manifold);
+  }
+  mix((uint32_t)gjk_parts_manifolds(&body, &visitor, size / 32, 4, &workspace, together, FOUND, &groups));
+  for (unsigned i = 0; i < groups; i++) {
+    mix_manifold(i, &together[i]);
   }
   mix((uint32_t)gjk_surface_contacts(&body, &visitor, size / 32, 4, &workspace, of_surface, FOUND, &few));
   mix(few);

@@ -1,5 +1,6 @@
 // Walks of a way through bodies of many parts: each part that the region meets comes once, from near to far, whichever way it
-// leads. And where casts and rays meet several parts at one fraction, the lowest number is found: against every part.
+// leads. And where casts and rays meet several parts at one fraction, the lowest number is found: against every part. Manifolds
+// of all parts do not depend on the tree.
 #include <string.h>
 
 #include "check.h"
@@ -16,15 +17,15 @@
 
 static const gjk_shape crate = GJK_BOX(STEP / 2, STEP / 2, STEP / 2), small = GJK_BOX(STEP / 4, STEP / 4, STEP / 4);
 static gjk_compound_part parts[PARTS];
-static gjk_compound_node nodes[GJK_COMPOUND_NODES(PARTS)];
-static gjk_compound compound;
+static gjk_compound_node nodes[GJK_COMPOUND_NODES(PARTS)], other_nodes[GJK_COMPOUND_NODES(PARTS)];
+static gjk_compound compound, same_parts;
 static gjk_vec3 vertices[(SIDE + 1) * (SIDE + 1)];
 static gjk_mesh_triangle triangles[2 * SIDE * SIDE];
 static gjk_mesh_node mesh_nodes[GJK_MESH_NODES(2 * SIDE * SIDE)];
 static gjk_mesh mesh;
 static int16_t heights[(SIDE + 1) * (SIDE + 1)];
 static gjk_height_field field;
-static unsigned long ties, hits, misses, walked, asked;
+static unsigned long ties, hits, misses, walked, asked, touching, crowds;
 
 static gjk_vec3 lattice(random_state *random, int32_t from, int32_t to, int32_t step) {
   const gjk_vec3 v = {random_range(random, from, to) * step, random_range(random, from, to) * step,
@@ -221,6 +222,76 @@ static void check_rows(random_state *random) {
   check_row(&row, true, STEP / 4 - SIDE / 2 * STEP, STEP);
 }
 
+// The same parts with the same numbers, in the tree of another order.
+static gjk_parts in_another_tree(random_state *random) {
+  static gjk_compound_part shuffled[PARTS];
+  uint16_t number[PARTS];
+  gjk_parts body = GJK_PARTS_OF_COMPOUND(&same_parts);
+  for (uint16_t i = 0; i < compound.count; i++) {
+    const uint32_t at = random_below(random, i + 1u);
+    number[i] = number[at];
+    number[at] = i;
+  }
+  for (uint16_t i = 0; i < compound.count; i++) {
+    shuffled[i] = parts[number[i]];
+  }
+  CHECK(gjk_compound_build(shuffled, compound.count, other_nodes, GJK_COMPOUND_NODES(PARTS), &same_parts) == GJK_OK);
+  for (uint32_t i = 0; i < same_parts.node_count; i++) {
+    other_nodes[i].part = other_nodes[i].part < compound.count ? number[other_nodes[i].part] : other_nodes[i].part;
+  }
+  same_parts.parts = parts;
+  return body;
+}
+
+static bool same_manifolds(const gjk_manifold *a, unsigned count_a, const gjk_manifold *b, unsigned count_b) {
+  bool same = count_a == count_b;
+  for (unsigned i = 0; same && i < count_a; i++) {
+    same = same_manifold(&a[i], &b[i]);
+  }
+  return same;
+}
+
+// A box on crates, flush or turned, and crates on crates. The large one meets more parts than are put in order at once.
+static void check_manifolds(random_state *random) {
+  static const gjk_shape slab = GJK_BOX(4 * STEP, 4 * STEP, 3 * STEP);
+  gjk_manifold of[2][GJK_PARTS_MANIFOLDS_MAX];
+  unsigned count[2];
+  gjk_decision near;
+  gjk_collider part, b;
+  gjk_parts_room room;
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  const gjk_parts body = crates(random, (uint16_t)random_range(random, 1, PARTS));
+  const gjk_parts same = in_another_tree(random);
+  const unsigned capacity = 1 + random_below(random, GJK_PARTS_MANIFOLDS_MAX);
+  unsigned met = 0;
+  pose.position = lattice(random, -4, 4, STEP);
+  if (random_below(random, 2) == 0) {
+    const gjk_vec3 axis = {random_range(random, -9, 9), random_range(random, -9, 9), 10};
+    CHECK(gjk_quat_from_axis_angle(&axis, random_range(random, -100000000, 100000000), &pose.rotation) == GJK_OK);
+  }
+  CHECK(gjk_collider_init(&b, random_below(random, 2) == 0 ? &slab : &crate, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&b, &pose) == GJK_OK);
+  for (unsigned i = 0; i < 2; i++) {
+    count[i] = 0;
+    CHECK(gjk_parts_manifolds(i == 0 ? &body : &same, &b, STEP / 16, 4, NULL, of[i], capacity, &count[i]) >= 0);
+  }
+  CHECK_MSG(same_manifolds(of[0], count[0], of[1], count[1]), "%u and %u manifolds of %u parts", count[0], count[1],
+            (unsigned)compound.count);
+  touching += count[0] > 0 ? 1 : 0;
+  for (uint32_t i = 0; i < compound.count; i++) {
+    CHECK(gjk_parts_place(&body, i, &room, &part) == GJK_OK && gjk_within(&part, &b, STEP / 16, NULL, &near) == GJK_OK);
+    met += near.yes ? 1 : 0;
+  }
+  crowds += met > 32 ? 1 : 0;
+  for (unsigned i = 0; i < 2; i++) {
+    gjk_parts moved = i == 0 ? body : same;
+    moved.pose = pose;
+    count[i] = 0;
+    CHECK(gjk_parts_both_manifolds(&moved, i == 0 ? &same : &body, 0, 4, NULL, of[i], capacity, &count[i]) >= 0);
+  }
+  CHECK(same_manifolds(of[0], count[0], of[1], count[1]));
+}
+
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   check_rows(&random);
@@ -234,7 +305,10 @@ int main(void) {
     body = heights_of(&random, (uint16_t)random_range(&random, 2, SIDE + 1),
                       (uint16_t)random_range(&random, 2, SIDE + 1), steps);
     check_body(&random, &body);
+    check_manifolds(&random);
   }
+  printf("%lu with manifolds, %lu with more than 32 parts\n", touching, crowds);
+  CHECK((touching > WAYS / 4 && crowds > WAYS / 40) || !check_is_full());
   printf("%lu hits, %lu with equals; %lu misses; %lu and %lu parts walked\n", hits, ties, misses, walked, asked);
   CHECK((ties > hits / 4 && misses > hits / 20) || !check_is_full());
   return check_done("parts_order");
