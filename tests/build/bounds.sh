@@ -44,7 +44,7 @@ build motion-narrow "$all -DGJK_NARROW_MULTIPLY=1" tests/prove/bounds_motion.c "
 # shellcheck disable=SC2086
 build scene "$all" tests/prove/bounds_scene.c $library && answers scene "$2" || exit 1
 # The plane's own tests, with a percent of their trials for every 1,000 pairs.
-for test in cast check contacts curved distance hostile impact impact_curved penetration polygon pose; do
+for test in canonical cast check contacts curved hostile impact impact_curved lattice polygon pose; do
   # shellcheck disable=SC2086
   if ! build plane "$all" "tests/check/unit/test_plane_$test.c" $library ||
     ! GJK_TEST_PERCENT=$(($2 / 1000 + 1)) "$dir/plane" >"$dir/plane.log" 2>&1; then
