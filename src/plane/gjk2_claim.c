@@ -88,7 +88,7 @@ bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned co
       return true;
     }
   }
-  const gjk2_vec p = from[0], q = from[1], edge = gjk2_sub(q, p);
+  const gjk2_vec p = {from[0].x, from[0].y}, q = {from[1].x, from[1].y}, edge = gjk2_sub(q, p);
   return count == 2 && gjk2_dot(p, edge) < 0 && gjk2_dot(q, edge) > 0 &&
          gjk2_is_within(gjk_int64(gjk_magnitude64(gjk2_cross(p, q))), edge, reach);
 }
@@ -127,7 +127,8 @@ static int compare_eighths(uint64_t squared, int64_t height, int64_t eighths) {
 bool gjk2_claim_gap(const gjk2_search *s, gjk_q16 distance, const gjk2_vec *a, const gjk2_vec *b) {
   const int64_t x = (int64_t)b->x - a->x, y = (int64_t)b->y - a->y;
   const int64_t radii = gjk2_convex_radii(s), exact = distance + radii;
-  const uint64_t length = (uint64_t)gjk2_dot(s->d, s->d);
+  const gjk2_vec d = {s->d.x, s->d.y};
+  const uint64_t length = (uint64_t)gjk2_dot(d, d);
   // Find the integer `eighths` with eighths <= 8 |base| / |d| < eighths + 1: from half an LSB below exact on.
   int64_t eighths = exact > 0 ? 8 * exact - 4 : 0;
   for (int step = 4; step > 0; step /= 2) {
