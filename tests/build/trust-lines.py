@@ -1,7 +1,7 @@
 # What has to be believed of the plane's checker, in lines: trust-lines.py. Comments and empty lines do not count.
 #
-# Proven: the functions of tests/prove/checker/functions.txt. To be read: operators.h; the contracts of the two checks, with
-# each word that they use; the definitions and theorems of hull.v, without proofs.
+# Proven: the functions of tests/prove/checker/functions.txt. To be read: operators.h; the contracts of the two checks,
+# with each word that they use; the definitions and theorems of hull.v, without proofs.
 import re
 import sys
 
@@ -14,9 +14,11 @@ def lines(path):
 
 def function(name):
     """The lines of a function's body and head."""
-    for path in ("arith/gjk_wide.c", "arith/gjk_wide.h", "plane/gjk2_check.c", "plane/gjk2_measure.c", "plane/gjk2_measure.h",
-                 "plane/gjk2_search.h", "plane/gjk2_search_frame.c", "plane/gjk2_vector.h", "plane/gjk2_class.h"):
-        found = re.search(r"^[a-zA-Z][^\n;{}]*\b" + name + r"\([^;{}]*\) \{\n.*?^\}$", open("src/" + path).read(), re.M | re.S)
+    head = r"^[a-zA-Z][^\n;{}]*\b" + name + r"\([^;{}]*\) \{\n"
+    for path in ("arith/gjk_wide.c", "arith/gjk_wide.h", "plane/gjk2_check.c", "plane/gjk2_measure.c",
+                 "plane/gjk2_measure.h", "plane/gjk2_search.h", "plane/gjk2_search_frame.c", "plane/gjk2_vector.h",
+                 "plane/gjk2_class.h"):
+        found = re.search(head + r".*?^\}$", open("src/" + path).read(), re.M | re.S)
         if found:
             return [s for s in found.group().split("\n") if s.strip() and not s.lstrip().startswith("//")]
     sys.exit("no function " + name)
