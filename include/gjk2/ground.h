@@ -142,10 +142,10 @@ typedef struct gjk2_tiles {
 //
 // data      the caller's, must outlive the shape; not copied. Only the cells of a grid may change later.
 // out       the caller's, must outlive the shape.
-// Statuses  NULL. EMPTY: no segment has a length, or a grid has no cells. NEGATIVE: a width or size below 1. SIZE: a
-//           vertex or a segment beyond GJK2_GROUND_REACH, a box of more than GJK2_RADIUS_MAX from its middle to a
-//           corner, a shift or a tile's size out of range, or more than 2^28 tiles. CORRUPT: an index that is not that
-//           of the chain. Only OK writes anything.
+// Statuses  NULL. EMPTY: no segment has a length, or a grid has no cells. NEGATIVE: a width or size below 1.
+//           SIZE: a vertex or a segment is beyond GJK2_GROUND_REACH. Or a corner of the box is more than
+//           GJK2_RADIUS_MAX from its middle. Or a shift or a tile's size is out of range, or there are more than 2^28
+//           tiles. CORRUPT: an index that is not that of the chain. Only OK writes anything.
 // Cost      one pass over all vertices; a grid takes none.
 gjk_status gjk2_ground_of_chain(const gjk2_polyline *data, gjk2_ground *out, gjk2_shape *shape);
 gjk_status gjk2_ground_of_heights(const gjk2_heights *data, gjk2_ground *out, gjk2_shape *shape);

@@ -70,7 +70,7 @@ static void check_cast(random_state *random, const gjk_collider *b, gjk_q16 spre
     CHECK_MSG(part == first && answer.hit == (first != GJK_PARTS_NONE), "part %ld not %ld, fraction %ld not %ld",
               (long)part, (long)first, (long)answer.fraction, (long)best.fraction);
     if (answer.hit && part == first) {
-      CHECK(same_cast(&answer, &best) && same_place(&answer.rest_b, &best.rest_b));
+      CHECK(same_cast(&answer, &best) && same_vec3(&answer.rest_b, &best.rest_b));
       CHECK(answer.rest_a.x == best.rest_a.x - offset.x && answer.rest_a.y == best.rest_a.y - offset.y &&
             answer.rest_a.z == best.rest_a.z - offset.z);
     }
@@ -216,7 +216,7 @@ static void check_both(random_state *random, gjk_q16 spread) {
   CHECK(gjk_parts_both_cast(&body.tree, &other.tree, &path, &pair, &answer) == GJK_OK);
   CHECK(pair.a == first.a && pair.b == first.b && answer.hit == (pair.a != GJK_PARTS_NONE));
   if (answer.hit) {
-    CHECK(same_cast(&answer, &best) && same_place(&answer.rest_a, &best.rest_a));
+    CHECK(same_cast(&answer, &best) && same_vec3(&answer.rest_a, &best.rest_a));
     CHECK(answer.rest_b.x == best.rest_b.x - offset.x && answer.rest_b.y == best.rest_b.y - offset.y &&
           answer.rest_b.z == best.rest_b.z - offset.z);
   }

@@ -120,7 +120,7 @@ static void check_both(gjk_q16 margin) {
   }
   gjk_parts_both_penetration(&body.tree, &other.flat, &workspace, &pair, &answer);
   CHECK(pair.a == deepest.a && pair.b == deepest.b && answer.intersecting == (pair.a != GJK_PARTS_NONE));
-  CHECK(!answer.intersecting || (answer.depth == best.depth && same_unit(&answer.normal, &best.normal)));
+  CHECK(!answer.intersecting || (answer.depth == best.depth && same_unit3(&answer.normal, &best.normal)));
   gjk_parts_both_contacts(&body.tree, &other.tree, margin, 4, &workspace, found, GENERATE_BODY_PARTS * 8, &all);
   CHECK(all == wanted);
   for (uint32_t i = 0; i < all && i < wanted; i++) {

@@ -120,9 +120,9 @@ static void check_question(random_state *random, const question *q) {
   CHECK(answer.hit == (first.a != GJK_PARTS_NONE));
   CHECK(!answer.hit || same_impact(&answer, &best));
   CHECK(gjk_motion_pose(&q->motion[1], answer.lower, &end) == GJK_OK &&
-        same_place(&end.position, &answer.pose_b.position));
+        same_vec3(&end.position, &answer.pose_b.position));
   CHECK(gjk_motion_pose(&q->motion[0], answer.lower, &end) == GJK_OK &&
-        same_place(&end.position, &answer.pose_a.position));
+        same_vec3(&end.position, &answer.pose_a.position));
   tally.hits += answer.hit && !answer.overlap;
   tally.overlaps += answer.overlap;
   tally.misses += !answer.hit;

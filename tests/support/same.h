@@ -26,10 +26,8 @@ static inline bool same_depth(const gjk_penetration_result *p, const gjk_penetra
 }
 
 static inline bool same_manifold(const gjk_manifold *p, const gjk_manifold *q) {
-  bool same = p->count == q->count;
-  if (same && p->count > 0) {
-    same = p->feature_a == q->feature_a && p->feature_b == q->feature_b && same_unit3(&p->normal, &q->normal);
-  }
+  bool same = p->count == q->count && p->feature_a == q->feature_a && p->feature_b == q->feature_b &&
+              same_unit3(&p->normal, &q->normal);
   for (int i = 0; i < p->count && same; i++) {
     const gjk_contact *a = &p->contact[i], *b = &q->contact[i];
     same = same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b) && a->distance == b->distance &&
