@@ -75,6 +75,7 @@ static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificat
   if (!load_named(s, certificate, 2, w)) {
     return false;
   }
+  // d is written by component: after a whole vector is written, the proof has lost what lies beside it.
   if (certificate->count == 1) {
     s->d.x = -w[0].x;
     s->d.y = -w[0].y;

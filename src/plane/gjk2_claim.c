@@ -88,6 +88,7 @@ bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned co
       return true;
     }
   }
+  // By component: GCC copies whole vectors by memcpy on ARMv6-M.
   const gjk2_vec p = {from[0].x, from[0].y}, q = {from[1].x, from[1].y}, edge = gjk2_sub(q, p);
   return count == 2 && gjk2_dot(p, edge) < 0 && gjk2_dot(q, edge) > 0 &&
          gjk2_is_within(gjk_int64(gjk_magnitude64(gjk2_cross(p, q))), edge, reach);
