@@ -95,12 +95,12 @@ END {
   code("gjk_penetration: boxes and hulls; rounded; with posing")
   code("gjk_contacts: boxes and hulls; rounded; with posing")
   print ""
-  print "Face to face: spun about the normal, tilted by up to a degree, up to 0.05 units deep or within a margin of 0.02. The hulls"
-  print "there are frusta with faces. Contacts: four at most."
+  print "Pairs face to face are spun about the normal, tilted by up to a degree, up to 0.05 units deep or within a"
+  print "margin of 0.02. The hulls there are frusta with faces. A manifold has at most four contacts."
   print ""
-  print "Beside it the same algorithm in floating point: mean instructions on the same pairs, in software but where the"
-  print "head says FPU. It is plain C (`tests/support/reference`), its vertices are in its own type already, and it stops as early."
-  print "Its depths are EPA\47s, which does not fit in Cortex-M0\47s 16 KB."
+  print "The next table has the same algorithm in floating point: mean instructions on the same pairs. Floating point"
+  print "is software unless the head names an FPU. That code is plain C (`tests/support/reference`), gets its vertices"
+  print "in its own type, and stops as early. Its depths are EPA\47s, which does not fit in Cortex-M0\47s 16 KB."
   print ""
   header("| query | in |", beside, others)
   compare("boxes apart: distance")
