@@ -1,4 +1,4 @@
-// Articulated machines in motion, such as robot arms, cranes and doors. Is a whole motion free, between samples too?
+// Articulated machines in motion: robot arms, cranes, doors. Is a whole motion free of contact, even between samples?
 //
 // A machine is a tree of links that joints move. Each link carries parts, which are convex shapes. A configuration is
 // an array of joint values, one for each joint that moves, in the order of the links. The value of a revolute joint is
@@ -11,10 +11,10 @@
 //     gjk_arm_init(&arm, &model, &base, &memory);
 //     gjk_arm_obstacles(&arm, crates, 12);
 //     gjk_arm_edge_start(&arm, from, to, &setup, NULL, NULL);
-//     gjk_arm_edge_run(&arm, 1000, &result);  // FREE, TOUCH, or UNSETTLED so far: call it again to go on
+//     gjk_arm_edge_run(&arm, 1000, &result);  // FREE, TOUCH, or UNSETTLED so far: call again to go on
 //
-// Tested   Pairs of parts of different links, and each part with each obstacle, if some joint moves one against the
-//          other. Parts of links that share a joint are not tested, nor are pairs in the model's list.
+// Tested   Pairs of parts of different links, and each part with each obstacle, if some joint moves one relative to the
+//          other. Parts of links that share a joint are not tested, nor are the pairs of model->never.
 // Bodies   An obstacle may be a body of many parts: a compound, a mesh or a height field. Its parts are called pieces
 //          here. A surface has no inside: what is wholly behind it is free.
 // Real     An answer holds for the motion in real numbers, rounding included: see the proof in src/arm/gjk_arm_bound.c.
@@ -44,7 +44,7 @@ extern "C" {
 // The parent of a link that stands on the base.
 #define GJK_ARM_BASE 255
 
-// How a joint moves its link against the parent.
+// How a joint moves its link relative to the parent.
 typedef enum gjk_arm_kind {
   GJK_ARM_FIXED = 0,  // the link does not move; the joint has no value
   GJK_ARM_REVOLUTE,   // the link turns about the axis, by the right-hand rule
@@ -57,7 +57,7 @@ typedef struct gjk_arm_link {
   uint8_t kind;          // a gjk_arm_kind
   gjk_pose fixed;        // pose of the link's frame in its parent's frame, at value 0
   gjk_vec3 axis;         // in the link's frame, through its origin; of any length but 0. A fixed joint may have 0
-  int32_t lower, upper;  // limits of the value. Values beyond are allowed, and set outside in results
+  int32_t lower, upper;  // limits of the value. Values beyond them are allowed; results then have outside set
 } gjk_arm_link;
 
 // A shape on a link.
@@ -124,7 +124,7 @@ typedef struct gjk_arm_memory {
   uint32_t pair_capacity;    // length of pairs
 } gjk_arm_memory;
 
-// The most pairs that so many parts and obstacles can have.
+// The most pairs that these numbers of parts and obstacles can have.
 #define GJK_ARM_PAIRS(parts, obstacles) ((parts) * (obstacles) + (parts) * ((parts)-1) / 2)
 
 // How exactly an edge is wanted. Lengths Q16.16.
@@ -184,7 +184,7 @@ typedef struct gjk_arm_proof {
 // The functions for bodies, opaque.
 typedef struct gjk_arm_body_class gjk_arm_body_class;
 
-// Takes a proof. The proofs of one pair come in the order of time, without gaps.
+// Takes a proof. The proofs of one pair come in order of time, without gaps.
 typedef void gjk_arm_proof_function(void *user, const gjk_arm_proof *proof);
 
 // An arm in RAM. gjk_arm_init fills it; its contents are the library's.
@@ -239,8 +239,8 @@ gjk_status gjk_arm_obstacles(gjk_arm *arm, const gjk_collider *obstacles, uint16
 // Sets the bodies of many parts that the arm must not hit, besides its obstacles. A running edge or check is abandoned.
 //
 // bodies    posed; they and their data must stay as they are while the arm is queried. NULL where count is 0.
-// Cost      for each part of the arm, a span or configuration walks the pieces whose boxes meet a box around the part.
-//           Each such piece costs as much as an obstacle. Programs without this call link none of it.
+// Cost      for each part of the arm, testing a span or configuration visits the pieces whose boxes meet a box around
+//           it. Each costs as much as an obstacle. Programs without this call link none of it.
 // Statuses  NULL, UNINITIALISED (the arm), CAPACITY (pairs), and EMPTY, ROTATION, RANGE as in gjk/parts.h. The arm's
 //           bodies are then as they were. If data were never checked, later calls may return these statuses; their
 //           outputs are then meaningless.
@@ -264,8 +264,8 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
 
 // Continues the edge that gjk_arm_edge_start began.
 //
-// tests  the most tests in this call. A test of a pair on a span costs about one gjk_within, and some make one or two
-//        such calls as well. Each piece of a body is a test; some cost one gjk_parts_within on top. Where an edge is
+// tests  the most tests in this call. A test of a pair on a span costs about one gjk_within, and some also make one or
+//        two such calls. Each piece of a body counts as a test; some also cost a gjk_parts_within. Where an edge is
 //        interrupted affects neither its answer nor its proofs.
 // out    what is proven so far. UNSETTLED: call again to continue.
 //
@@ -281,7 +281,7 @@ gjk_status gjk_arm_edge_run(gjk_arm *arm, uint32_t tests, gjk_arm_edge_result *o
 // How many edges at the beginning of a path are free?
 //
 // path      count configurations, one after the other.
-// edges     the number of free edges before the first that is not free, or is not settled by tests tests.
+// edges     the number of free edges before the first that is not free, or not settled within tests.
 // out       the result of that edge, or of the last edge if all are free.
 // tests     the most tests of an edge.
 // Statuses  as in gjk_arm_edge_start and gjk_arm_edge_run; EMPTY: count is below 2. ITERATION_LIMIT sets edges and out.
@@ -290,8 +290,8 @@ gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const
 
 // Do the proofs show that result is true of the edge?
 //
-// The check needs no search. A proof takes the bound of the motion on its span, and the poses at both ends. There it
-// takes one support point of each shape along the direction. A touch takes one gjk_within at upper.
+// The check needs no search. Checking a proof takes the motion's bound on its span, the poses at both ends, and there a
+// support point of each shape. Checking a touch takes one gjk_within at upper.
 //
 // Weaker   A claim weaker than what is proven passes. That is a smaller gap or lower, or in a TOUCH any upper where the
 //          pair is near. tests and outside are not checked.
@@ -326,7 +326,7 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
 //           Then *yes is true and pair names the open pair.
 gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair);
 
-// The derivative of a gjk_arm_distance result by each joint value, in LSB per LSB of that value, Q16.16.
+// The derivative of a gjk_arm_distance result with respect to each joint value, in LSB per LSB of that value, Q16.16.
 //
 // values    the configuration. nearest is the result of gjk_arm_distance there, with the shapes apart.
 // out       one number for each value.

@@ -1,4 +1,4 @@
-// What the other headers give by macros, as functions: for languages that call the library without a C compiler.
+// Functions for what the other headers give by macros, for languages that call the library without a C compiler.
 //
 // C and C++ programs need none of this. A function here links what its macro names, and nothing else.
 #ifndef GJK_BIND_H
@@ -59,7 +59,7 @@ uint32_t gjk_hull_simplify_workspace(uint32_t points);
 
 // The bytes of a public structure of this build, also of the plane: gjk_size_of("gjk_collider"). So other languages can
 // reserve structures that they do not look into, and check those that they do. No structure needs an alignment above 8
-// bytes. 0 for any other name, and for NULL.
+// bytes. Any other name, and NULL, give 0.
 size_t gjk_size_of(const char *structure);
 
 // The value of a public constant or enumerator, also of the plane: gjk_constant("GJK_Q30_ONE", &one).

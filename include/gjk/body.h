@@ -14,8 +14,8 @@ extern "C" {
 #define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
 #define GJK_SCENE_PAIR_WORDS_MAX 32
 
-// Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
-// slot that was taken 2^31 times is not taken again.
+// Names a body. A zeroed id names none. The id of a removed body never names another one: its generation differs, and a
+// slot taken 2^31 times is not taken again.
 typedef struct gjk_body_id {
   uint32_t slot;        // the body's place in the scene, below config.bodies
   uint32_t generation;  // counts how often the slot was taken and freed; odd while a body is in it
@@ -41,7 +41,7 @@ typedef enum gjk_detail {
   GJK_DETAIL_SENSOR      // for a body only, see above
 } gjk_detail;
 
-// Should this pair be tested? Called at most once per test, perhaps from several threads. The predicate may depend on
+// Should this pair be tested? Called at most once per test, possibly from several threads. The predicate may depend on
 // its arguments, and on what does not change during an update. An update calls it only for pairs whose nearness a
 // motion may have changed. If the predicate changes for another reason, call gjk_scene_refilter, in the plane
 // gjk2_scene_refilter.
@@ -70,11 +70,11 @@ typedef struct gjk_progress {
 } gjk_progress;
 
 // What the last update that tested all its pairs did. Each pair is counted once: in resting, or in one of filtered to
-// cold. These numbers describe work, not answers. They depend on skips, caches, and the way that bodies took.
+// cold. These numbers describe work, not answers. They depend on skips, caches, and on how bodies moved.
 typedef struct gjk_scene_stats {
   uint32_t bodies, parts;  // currently in the scene
   uint32_t pairs;          // tested or resting
-  uint32_t refused;        // boxes that came to meet, but make no pair: both static, or kept apart by category and mask
+  uint32_t refused;        // boxes that began to meet but make no pair: both static, or filtered by category and mask
   uint32_t resting;        // neither body moved - asleep, static or still: the last answer stands
   uint32_t filtered;       // refused by the predicate, or by a changed category or mask
   uint32_t motion;         // the motion since the last test is too small to change its answer
@@ -93,17 +93,17 @@ typedef struct gjk_scene_stats {
 typedef struct gjk_scene_hit {
   gjk_body_id body;   // the body that has it
   uint16_t part;      // the part's number in its body
-  uint32_t fraction;  // of the way until it meets the part or its box, in 2^-30, rounded down; 0 where there is no way
+  uint32_t fraction;  // where on the way it meets the part or its box, in 2^-30, rounded down; 0 if there is no way
   uint32_t user;      // the body's user word
 } gjk_scene_hit;
 
-// Does a query look at this part? May be called several times for a part, perhaps from several threads.
+// Does a query look at this part? May be called several times for a part, possibly from several threads.
 typedef bool gjk_scene_accept(void *user, gjk_body_id body, uint32_t user_of_body, uint16_t part);
 
 // Which parts a query of shapes looks at. A NULL filter: all.
 typedef struct gjk_scene_filter {
-  uint32_t category, mask;   // as those of a body: each category has to share a bit with the other's mask
-  gjk_body_id ignore;        // a body to leave out, for example the one that asks; zeroed: none
+  uint32_t category, mask;  // as a body's: each category must share a bit with the other's mask; both 0: no part passes
+  gjk_body_id ignore;       // a body to leave out, for example the one that asks; zeroed: none
   gjk_scene_accept *accept;  // NULL: every part that the fields above let through
   void *user;                // accept's first argument
 } gjk_scene_filter;

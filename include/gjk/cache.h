@@ -1,4 +1,4 @@
-// What a caller may keep per pair from one query to the next.
+// What a caller may keep for each pair from one query to the next.
 #ifndef GJK_CACHE_H
 #define GJK_CACHE_H
 
@@ -7,7 +7,7 @@
 // A cache changes speed and nothing else. Only iterations and certificate, which describe the search, depend on it. All
 // other fields of every answer are the same with any cache or none. A zeroed cache, or NULL, is a cold start. Any
 // content is safe, even that of another pair or query. Caches serve pairs of polytopes, with or without a convex
-// radius. Other pairs do not use them. tests/check/unit/test_canonical.c holds this.
+// radius. Other pairs do not use them. tests/check/unit/test_canonical.c checks this.
 typedef struct gjk_cache {
   int16_t direction[3];  // last direction from A to B; all zero: none
   uint16_t count;        // pairs in use

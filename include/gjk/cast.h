@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-// How two shapes move, both in straight lines and in step. At fraction f each has done f of its way, 0 <= f <= 1.
+// How two shapes move, both in straight lines and in step. At fraction f, 0 <= f <= 1, each has covered f of its way.
 typedef struct gjk_cast_path {
   const gjk_vec3 *to_a;  // position of A's pose at the end of its way; NULL: A does not move
   const gjk_vec3 *to_b;  // position of B's pose at the end of its way; NULL: B does not move
@@ -26,7 +26,7 @@ typedef enum gjk_cast_proof {
   GJK_CAST_PROOF_SHORT,     // miss: n w < 0 and n w < n t for every w
   GJK_CAST_PROOF_INSIDE,    // hit at the start; no pairs
   GJK_CAST_PROOF_FACET,     // hit: n w <= n w0 for every w, n t < 0, and the way passes through what the pairs span
-  GJK_CAST_PROOF_SWEPT      // with a radius or margin: A and B swept along its way come within it, or not; no pairs
+  GJK_CAST_PROOF_SWEPT      // with a radius or margin: does A come within it of B swept along its way? No pairs
 } gjk_cast_proof;
 
 // Why the answer of a cast is right; see gjk_cast_proof.
@@ -63,37 +63,37 @@ typedef struct gjk_cast_result {
 //           with either                 hit or miss where |way| plus twice both core radii is below 16380 units.
 //                                       Centres must be at most 16384 units apart at the start and halfway, and one
 //                                       shape must have fewer than 32768 vertices. Otherwise the answer is right for a
-//                                       gap within 2 LSB of the margin. No contact is before fraction; the gap there
-//                                       exceeds margin by at most 2 LSB
-//         Cylinder, cone, ellipsoid, custom: as gjk_within decides at a gap within 2 LSB of the margin. The gap at
-//         fraction is at most 4 LSB above the margin.
+//                                       margin within 2 LSB of the given one. No contact comes before fraction; the gap
+//                                       there exceeds margin by at most 2 LSB
+//         Cylinder, cone, ellipsoid, custom: as gjk_within decides for a distance within 2 LSB of the margin. The gap
+//         at fraction is at most 4 LSB above the margin.
 //         For all shapes, the length of one step of fraction adds to the gap if the way is longer than 2^30 LSB. So
 //         does 2^-24 of a margin above 8000 units.
 // Cost    a miss by the bounding spheres takes some 500 instructions on a Cortex-M3.
 //           without radius and margin   only the ceiling of 250 iterations is proven. Searches among hulls of 8 to 64
 //                                       points have found casts that take 24
-//           with either, or curved      2 to 3 distances, at most 64, each from where the last one ended. With curved
-//                                       shapes each takes at most GJK_ITERATIONS_MAX iterations
+//           with either, or curved      2 to 3 distances, at most 64, each started where the last one ended. With
+//                                       curved shapes each takes at most GJK_ITERATIONS_MAX iterations
 // After   van den Bergen 2004 and Snethen 2008, with exact signs instead of tolerances.
 //
 // What is valid in out after each status; all else is as it was or meaningless:
 //
 // OK                                    a miss: hit, iterations, certificate. A hit: all, but no points if inside.
-// ITERATION_LIMIT                       everything. hit is false and no contact is before fraction. So if fraction is
-//                                       above 0, rest_a and rest_b are safe. Points and normal are those of the last
+// ITERATION_LIMIT                       everything. hit is false, and no contact comes before fraction. So if fraction
+//                                       is above 0, rest_a and rest_b are safe. Points and normal are those of the last
 //                                       measurement. Only curved shapes are known to cause it.
 // NULL, UNINITIALISED, NEGATIVE, RANGE  nothing; out is as it was.
 gjk_status gjk_cast(const gjk_collider *a, const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out);
 
-// Casts a ray, the segment from one point to another, against a shape: as gjk_cast of a point B that moves along it.
+// Casts a ray, the segment from one point to another, against a shape, as gjk_cast does for a point B moving along it.
 //
 // point_b and rest_b are where the ray enters, rounded to the nearest LSB and away from A. normal is A's, outwards.
 gjk_status gjk_cast_ray(const gjk_collider *a, const gjk_vec3 *from, const gjk_vec3 *to, gjk_cast_result *out);
 
 // Proves a result of gjk_cast from its certificate: hit or miss, and the fraction of shapes without radius and margin.
 //
-// With a radius or margin, decisions of the check's own prove hit or miss and inside. Without, every field but
-// iterations is proven, for an answer as gjk_cast gives it.
+// With a radius or margin, the check proves hit or miss and inside by decisions of its own. Without either, it proves
+// every field but iterations of an answer as gjk_cast gives it.
 //
 // Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: curved shapes; with a
 //           radius or margin also ways and centres for which no decision is exact, as above. NULL, UNINITIALISED,

@@ -1,7 +1,7 @@
 // Certificates: why an answer is right, in integers that anyone can check.
 //
-// A number names a vertex. Of a hull or triangle it is the index. Of a box or point, bits 0, 1 and 2 are set for the
-// plus side of the half axes x, y and z. Of a segment, bit 0 is set for plus z. A pair (a[i], b[i]) stands for the
+// A number names a vertex. For a hull or triangle it is the index. For a box or point, bits 0, 1 and 2 are set for the
+// plus side of the half axes x, y and z. For a segment, bit 0 is set for plus z. A pair (a[i], b[i]) stands for the
 // point a - b of the Minkowski difference of the two cores.
 #ifndef GJK_CERTIFICATE_H
 #define GJK_CERTIFICATE_H

@@ -18,9 +18,9 @@ typedef struct gjk_aabb {
   gjk_vec3 lower, upper;  // the corners with the least and the largest coordinates
 } gjk_aabb;
 
-// Start from zeroed memory; gjk_collider_init and gjk_collider_pose fill it. You may read two fields; the rest is the
-// library's. centre is the world position of the centre of the core's own bounding box. radius is that of a sphere
-// about centre that holds the shape with its convex radius. Copies of a collider share shape and buffer.
+// Start from zeroed memory; gjk_collider_init and gjk_collider_pose fill it. You may read two fields, centre and
+// radius; the rest is the library's. centre is where the middle of the core's own bounding box lies in the world. A
+// sphere of radius about centre holds the shape, convex radius included. Copies of a collider share shape and buffer.
 typedef struct gjk_collider {
   const gjk_shape *shape;  // the shape given to gjk_collider_init
   gjk_vec3 *buffer;        // baked hull: its posed vertices relative to centre; NULL otherwise
@@ -42,8 +42,8 @@ typedef struct gjk_collider {
 // collider  written as a whole, not yet posed.
 // shape     the caller's, must outlive the collider.
 // buffer    for a hull: room for capacity posed vertices, at least as many as the hull has. The hull is then baked,
-//           which is fastest. NULL: lazy, vertices are rotated on demand. The answers are the same bits and a scan
-//           costs about the same, but each vertex used costs a rotation. Other kinds of shapes ignore the buffer.
+//           which is fastest. NULL: lazy, vertices are rotated on demand. The answers are the same bits. A scan costs
+//           about the same, but each vertex that is used costs a rotation. Other kinds of shapes ignore the buffer.
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY. OVERLAP: the buffer overlaps the shape's vertices or the collider.
 //           RANGE: a triangle's count is not 3, or a table's level, ends or numbers are not as in gjk/shape.h. Also
 //           RANGE: a face has fewer than 3 or more than GJK_FACE_CORNERS_MAX corners, or one that is no vertex.

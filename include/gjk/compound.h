@@ -24,7 +24,7 @@ extern const gjk_parts_class gjk_parts_class_compound;
 // Up to this many parts the boxes form a plain list; with more they are the leaves of a tree.
 #define GJK_COMPOUND_LIST_MAX 8
 
-// The number of nodes for so many parts.
+// The number of nodes for this many parts.
 #define GJK_COMPOUND_NODES(parts) ((parts) <= GJK_COMPOUND_LIST_MAX ? (parts) : 2 * (parts)-1)
 
 // One part: a shape and its pose. Both are the caller's constants.

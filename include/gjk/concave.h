@@ -11,17 +11,17 @@
 // and casts call gjk_parts_cast_ray and gjk_parts_cast. So no answer depends on the tree, caches or skips.
 //
 // Saves    hold the index of the shape, as for any shape. Lockstep peers need the same meshes.
-// Boxes    gjk_scene_query_box and gjk_scene_query_ray take such a part as its box in its own frame, turned.
+// Boxes    gjk_scene_query_box and gjk_scene_query_ray treat such a part as its box in its own frame, turned.
 // Drawing  gjk_draw_scene leaves out such a part and its pairs. gjk_draw_scene_concave draws what is near a box.
 // Numbers  Reports do not give triangle numbers. To get one, query the part that gjk_scene_parts returns.
-// Fast     A fast body may touch such a part at the start of its way, having been near it at the last update. It can
-//          then still meet those triangles or parts that it was in front of at the start (gjk_parts_cast_ahead). It is
+// Fast     A fast body may touch such a part at the start of its way, and have been near it at the last update. It can
+//          then still meet the triangles or parts that it was in front of at the start (gjk_parts_cast_ahead). It is
 //          never in front of one that it touches. Two concave parts that touch at the start do not meet later.
 // Cost     when a body of a pair has moved, an update queries the pair anew if the boxes meet. The cost is that of
 //          gjk/parts.h, which grows with the triangles nearby. The cost of convex bodies does not change.
 // Links    all queries of gjk/parts.h, casts and impacts included. A program without such shapes links none of them.
 //
-// A moving body of a few convex shapes may as well have them as its own parts (gjk/scene.h), which are reported pair by
+// A moving body of a few convex shapes may have them as its own parts instead (gjk/scene.h), which are reported pair by
 // pair. A compound takes less memory in the block, because it is one part.
 #ifndef GJK_CONCAVE_H
 #define GJK_CONCAVE_H
@@ -46,8 +46,8 @@ typedef struct gjk_concave {
 } gjk_concave;
 
 // The constant shape of a concave body whose gjk_concave and half extents are known. A scene refuses one without a body
-// (NULL) or without parts (EMPTY). The caller answers for all else that gjk_concave_init checks. Where parts beyond
-// their reach have no answer, a pair counts as near and unsettled, at distance 0.
+// (NULL) or without parts (EMPTY). The caller answers for all else that gjk_concave_init checks. If parts beyond their
+// reach leave a pair without an answer, it counts as near and unsettled, at distance 0.
 #define GJK_CONCAVE(concave_pointer, half_x, half_y, half_z)                                                          \
   {                                                                                                                   \
     &gjk_class_concave, 0, 0, 1 ? (concave_pointer) : (const gjk_concave *)0, GJK_LENGTHS(half_x, half_y, half_z, 0), \

@@ -19,11 +19,11 @@ typedef struct gjk_contact {
                 // byte is the feature id of its point on A, the low byte that on B
 } gjk_contact;
 
-// feature_a and feature_b number the face, edge or corner with which each shape meets the normal. The ids tell which:
-//   face    of a box: 2 axis, plus 1 on the minus side. Of a hull: its index. Of a triangle: 0, or 1 seen from the
+// feature_a and feature_b number the face, edge or corner where each shape meets the normal. Contact ids tell which:
+//   face    of a box: 2 * axis, plus 1 on the minus side. Of a hull: its index. Of a triangle: 0, or 1 seen from the
 //           other side. The top of a cylinder is 0, the base of a cylinder or cone 1
 //   side    of a cylinder or cone: 2
-//   edge    (lower vertex number + 256 higher vertex number) modulo 2^16
+//   edge    (lower vertex number + 256 * higher vertex number) modulo 2^16
 //   corner  its vertex number
 typedef struct gjk_manifold {
   gjk_unit3 normal;                       // from A to B, Q2.30
@@ -41,23 +41,23 @@ typedef struct gjk_manifold {
 // out               the caller's.
 //
 // Which points:
-// Faces   Boxes, triangles, hulls with faces, and the flat ends of cylinders and cones (as octagons) share a polygon,
-//         seen along the normal. Its corners are the contacts. If a hull has a convex radius, a face counts only if it
-//         is wider than about 6 sqrt(convex radius), both in LSB. Posing turns narrower ones.
-// Edges   A shape without a face within 20 degrees of the normal meets with its edge. A curved side meets with its
-//         line, if that is level within 20 degrees. Edges across from each other all along, to 2 LSB, share two points.
-//         Curved sides do if a point between them is within 1/2 LSB of both. Other edges meet where they cross.
+// Faces   Faces of boxes, triangles and hulls, and flat ends of cylinders and cones (as octagons), overlap in a
+//         polygon, seen along the normal. Its corners are the contacts. If a hull has a convex radius, a face counts
+//         only if it is wider than about 6 sqrt(convex radius), both in LSB. Posing tilts narrower ones.
+// Edges   A shape without a face within 20 degrees of the normal touches with an edge. A curved side touches along a
+//         line, if that is level within 20 degrees. Edges that stay across from each other, to 2 LSB, share two points.
+//         So do curved sides if a point between them is within 1/2 LSB of both. Other edges meet where they cross.
 // Others  All other shapes, such as hulls without faces, meet in the one pair of points of gjk_signed_distance. So do
 //         shapes whose centres are more than 8192 units apart along an axis.
-// Least   The pair of points of gjk_signed_distance is among the contacts wherever it is nearer than the others.
+// Least   The pair of points of gjk_signed_distance is among the contacts whenever it is nearer than the others.
 // most    If there are more contacts than most, one about as deep as the deepest is kept first. Next come those that
 //         span at least 9/10 of the largest area with it, then those farthest from all others. At least one is within 4
 //         LSB of the deepest. Ties go to the lowest ids.
 //
 // Ids     depend on the shapes and poses alone. Resting shapes keep them. If bodies tremble by 1 LSB and 1e-7 rad, at
-//         most 1 id in 100 is new in a tick. This holds for faces congruent, flush, spun or moved aside. To this end
-//         points that are near along each axis count as one. Near means within 1/64 of the shortest edge, in |x| + |y|
-//         + |z|, or within 8 LSB if that is more. It is at most 1/4 of that edge.
+//         most 1 id in 100 is new in a tick. This holds for faces that are congruent, flush, spun or shifted. For this,
+//         points near each other along each axis count as one. Near means within 1/64 of the shortest edge, in |x| +
+//         |y| + |z|, or within 8 LSB if that is more. It never exceeds 1/4 of that edge.
 //           a point near a corner has the corner's id, whatever edges meet there
 //           of points with one id the deepest stays
 //           a crossing of face edges near a line between other points is left out, unless it is deeper
@@ -66,7 +66,7 @@ typedef struct gjk_manifold {
 //         bar 1/10 unit thick by 1.5e-4 (test_contacts_jitter).
 //
 // Exact   The shared polygon is exact, apart from points left out for ids. In LSB:
-//           points           within 4 of their shapes (tests hold 3), and within 2 of straight across from each other
+//           points           within 4 of their shapes (tests allow 3), and within 2 of straight across from each other
 //           distance         within 2 of the points' gap along the normal
 //           least distance   within 2 of that of gjk_signed_distance; 6 where most leaves points out
 //         A depth is rounded up, so the distance of the points of gjk_signed_distance is within 3 LSB and 2^-28 of

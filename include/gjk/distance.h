@@ -33,15 +33,15 @@ typedef struct gjk_distance_result {
 // out     the caller's.
 // Exact   points, segments, triangles, boxes, hulls and their forms with a convex radius:
 //           separated or not   always
-//           distance           rounded to the nearest LSB, ties up. A gap below 1/2 LSB is 0, without intersecting set
+//           distance           rounded to the nearest LSB, ties up. A gap below 1/2 LSB gives 0 with intersecting false
 //           points             each within 1 LSB of its shape; their gap is within 2 LSB of distance
 //           normal             within 2^-28
 //         Ties: several pairs of points may be equally near, as between parallel edges or faces. The answer is then
-//         that of a search among the vertices of those features only, which starts from the lowest numbers. Swapped
-//         shapes have the same distance. If the nearest points are unique, they move by at most 2 LSB, and the normal
-//         is opposite to within 4 LSB of Q2.30. Cylinder, cone, ellipsoid: distance and points within 2 LSB of the
-//         exact surface. More than 8192 units apart:
-//           distance           within 2^-28 of itself, or 2^-27 for curved shapes
+//         that of a search of those features' vertices alone, from the lowest numbers on. Swapping the shapes keeps the
+//         distance. Unique nearest points then move by at most 2 LSB, and the normal is opposite to within 4 LSB of
+//         Q2.30. Cylinder, cone, ellipsoid: distance and points are within 2 LSB of the exact surface. More than 8192
+//         units apart:
+//           distance           within 2^-28 of its value, or 2^-27 for curved shapes
 //           points             within 2^-27 of the distance; the gap along the normal is distance, to 2^-27
 // Cost    at most GJK_ITERATIONS_OF(n, m) iterations, or GJK_ITERATIONS_MAX with a curved shape (gjk/format.h). Stack:
 //         `make sizes`.
@@ -49,7 +49,7 @@ typedef struct gjk_distance_result {
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything, points and normal unless intersecting. The certificate has what its proof uses.
+// OK                   everything, points and normal unless intersecting; in the certificate, only what its proof uses.
 // ITERATION_LIMIT      everything, as in gjk_distance_until: 0 <= lower <= gap <= upper. lower above 0 proves that the
 //                      shapes are apart. Only cylinder, cone, ellipsoid and custom can cause it.
 // NULL, UNINITIALISED  nothing.
@@ -64,8 +64,8 @@ typedef struct gjk_effort {
 // As gjk_distance, but stops when the effort is spent, and reports what is proven by then:
 //
 // lower, upper      inclusive bounds of the gap. They are equal if the answer is exact, as in gjk_distance.
-// distance          that of point_a and point_b, to the nearest LSB; upper is the same rounded up. More than 8192 units
-//                   apart: upper.
+// distance          from point_a to point_b, to the nearest LSB; upper is the same, rounded up. More than 8192 units
+//                   apart, it is upper.
 // point_a, point_b  points of the shapes, as accurate as in gjk_distance, and distance apart to within 2 LSB. Not set
 //                   when intersecting.
 // normal            a direction from A to B.
@@ -75,10 +75,10 @@ typedef struct gjk_effort {
 // effort   read only; error at least 0 (GJK_ERROR_NEGATIVE).
 // cache    out, the caller's; NULL = none. It is not read, so that the result does not depend on it. Written if the
 //          answer is exact.
-// Cost     an iteration takes about a third more than one of gjk_distance, for the bounds.
+// Cost     an iteration costs about a third more than in gjk_distance, because it computes the bounds.
 //
 // OK                             everything, as above.
-// ITERATION_LIMIT                the same: GJK_ITERATIONS_MAX iterations, no fewer set by effort, did not settle it.
+// ITERATION_LIMIT                the same: effort allows GJK_ITERATIONS_MAX iterations, which did not settle it.
 // NULL, UNINITIALISED, NEGATIVE  nothing; out is as it was.
 gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
                               gjk_distance_result *out);

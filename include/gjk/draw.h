@@ -44,8 +44,8 @@ gjk_status gjk_draw_manifold(const gjk_draw *draw, const gjk_manifold *manifold,
 gjk_status gjk_draw_ray(const gjk_draw *draw, const gjk_vec3 *from, const gjk_vec3 *to, const gjk_cast_result *result,
                         gjk_q16 length);
 
-// Draws a cast of B against a shape that does not move. It shows B's outline at the start and at rest, or without a hit
-// at the end. It shows the way between both positions, and after a hit that is not inside, point_a and the normal.
+// Draws a cast of B against a shape that does not move. It shows B's outline at the start and where it comes to rest,
+// which without a hit is the end. It shows the way between, and after a hit that is not inside, point_a and the normal.
 //
 // collider  B at the start.
 // Statuses  RANGE: to takes the centre of B out of int32.
@@ -59,7 +59,7 @@ gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned
 
 // Draws the outlines of parts of a compound, mesh or height field.
 //
-// near   a box in the world: parts with a point in it are drawn, and none whose box does not meet it. NULL: all parts.
+// near   a box in the world: parts with a point in it are drawn, parts whose boxes miss it are not. NULL: all parts.
 // most   the most parts drawn. They come in the order in which they are found, which depends only on the data.
 // drawn  the number of parts drawn; may be NULL.
 // Statuses  CAPACITY: the same; there are more parts than most. RANGE: near ends before it begins. With RANGE and all
@@ -67,7 +67,7 @@ gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned
 gjk_status gjk_draw_parts(const gjk_draw *draw, const gjk_parts *parts, const gjk_aabb *near, uint32_t most,
                           gjk_draw_role role, uint32_t *drawn);
 
-// Draws the concave parts of a scene (gjk/concave.h), which gjk_draw_scene leaves out. As gjk_draw_parts, most in all.
+// Draws a scene's concave parts (gjk/concave.h), which gjk_draw_scene leaves out. As gjk_draw_parts; most counts all.
 gjk_status gjk_draw_scene_concave(const gjk_draw *draw, const gjk_scene *scene, const gjk_aabb *near, uint32_t most,
                                   gjk_draw_role role, uint32_t *drawn);
 

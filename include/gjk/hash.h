@@ -1,5 +1,5 @@
-// Hashes of your own state, for lockstep. They take the step that gjk_scene_hash takes for each word, so one number can
-// compare speeds, counters and inputs as well as the scene.
+// Hashes of your own state, for lockstep. Each word is mixed in as gjk_scene_hash does it. So one number can compare
+// speeds, counters and inputs as well as the scene.
 //
 //     uint64_t hash = GJK_HASH_BEGIN;
 //     hash = gjk_hash_word(hash, tick);

@@ -24,7 +24,7 @@ extern const gjk_parts_class gjk_parts_class_height_field;
 //
 // Sample (i, j) is heights[j columns + i] and lies at (i step_x, j step_y, height step_z). Four samples make a cell.
 // Its triangles are (i, j), (i + 1, j), (i + 1, j + 1) and (i, j), (i + 1, j + 1), (i, j + 1). Their fronts face +z,
-// and contacts are only in front. Their numbers are 2 (j (columns - 1) + i), and 1 more.
+// and contacts are only in front. Their numbers are k and k + 1, with k = 2 (j (columns - 1) + i).
 typedef struct gjk_height_field {
   const int16_t *heights;  // the caller's, columns times rows
   uint16_t columns, rows;  // 2 to GJK_HEIGHT_FIELD_SIDE_MAX
@@ -45,7 +45,7 @@ typedef struct gjk_height_field {
 #define GJK_PARTS_OF_HEIGHT_FIELD(field) \
   { &gjk_parts_class_height_field, 1 ? (field) : (const gjk_height_field *)0, GJK_POSE_IDENTITY }
 
-// Statuses  NULL; RANGE: the field is not as stated above; EMPTY: every triangle has a hole. Cost: one pass.
+// Checks a height field. Statuses: NULL; RANGE: not as stated above; EMPTY: every triangle has a hole. Cost: one pass.
 gjk_status gjk_height_field_check(const gjk_height_field *field);
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@ extern "C" {
 // The most points of one hull.
 #define GJK_HULL_POINTS_MAX 65535
 
-// Bytes of workspace for so many points: 40 a point, plus 40.
+// Bytes of workspace for this many points: 40 a point, plus 40.
 #define GJK_HULL_WORKSPACE(points) (40 * (uint32_t)(points) + 40)
 
 // A hull in the caller's workspace. The first six fields may be read; the rest is the library's.
@@ -48,7 +48,7 @@ gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspac
 // Writes the vertices in order of x, then y, then z. CAPACITY: capacity is below hull->vertices.
 gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capacity);
 
-// Room for the faces of any hull of so many vertices, at least 3, and for the corners of all these faces.
+// Lengths of the arrays end and corner that hold the faces of any hull of this many vertices, at least 3.
 #define GJK_HULL_FACES_MAX(vertices) (2 * (uint32_t)(vertices)-4)
 #define GJK_HULL_CORNERS_MAX(vertices) (6 * (uint32_t)(vertices)-12)
 
@@ -72,7 +72,7 @@ typedef struct gjk_hull_volume {
 // The volume of a hull made by gjk_hull_build. Statuses: NULL.
 gjk_status gjk_hull_get_volume(const gjk_hull *hull, gjk_hull_volume *six_times);
 
-// Bytes of workspace for gjk_hull_simplify of so many points: 96 a point, plus 808.
+// Bytes of workspace for gjk_hull_simplify of this many points: 96 a point, plus 808.
 #define GJK_HULL_SIMPLIFY_WORKSPACE(points) (96 * (uint32_t)(points) + 808)
 
 // The fewest vertices that a hull can be simplified to.
@@ -84,19 +84,19 @@ typedef struct gjk_hull_simple {
   uint32_t excess;    // bound of the distance from a point of the simple hull to the hull of the points, LSB
 } gjk_hull_simple;
 
-// Makes a hull of at most so many vertices that encloses the hull of the points, exactly. It chooses points that lie
-// far apart, and moves them outwards until their hull holds all others.
+// Makes a hull of at most a given number of vertices that encloses the hull of the points, exactly. It chooses points
+// that lie far apart, and moves them outwards until their hull holds all others.
 //
 // most       the most vertices, at least GJK_HULL_SIMPLE_MIN (RANGE).
 // workspace  as for gjk_hull_build, at least GJK_HULL_SIMPLIFY_WORKSPACE(count) bytes; not needed afterwards.
-// vertices   room for most vertices; may not be points. gjk_hull_build finds their faces.
+// vertices   room for most vertices; must not be points. gjk_hull_build finds their faces.
 // out        written, with vertices, when the result is GJK_OK.
 // Exact      every point is inside or on the simple hull; a final test makes sure. If the hull has no more than most
 //            vertices, they are the result, and the excess is 0. The result is the same for any order of the points.
 // Excess     measured on the result: never below the largest distance, and at most 2 LSB above it. It never exceeds
-//            that of the bounding box (8 vertices) or of a tetrahedron around it. It is not the least: for a sphere of
-//            points, 32 vertices reach 14 % of the radius beyond, where 9 % is possible. Sharp corners are not cut off,
-//            so a vertex at one moves far.
+//            that of the bounding box (8 vertices) or of a tetrahedron around it. It is not the least: for points on a
+//            sphere, 32 vertices reach 14 % of the radius beyond it, where 9 % is possible. Sharp corners are not cut
+//            off, so a vertex at one moves far.
 // Flat       points in a plane with more than most corners give that box or tetrahedron, and excess is its distance
 //            from them. gjk2_polygon_order and a thin prism do better.
 // Statuses   NULL; EMPTY; SIZE: as gjk_hull_build; CAPACITY: bytes. RANGE: most, or workspace is not aligned. Also
@@ -129,8 +129,8 @@ typedef struct gjk_hull_report {
 
 // Are the faces of a hull closed, convex, outward and complete, as contacts need them?
 //
-// Coplanar faces beside each other are sound, and so are vertices on no face that lie within the hull. Points in a
-// plane need both sides, which meet at the outline. Within it, faces on an edge's own side decide about the edge.
+// Coplanar faces beside each other are sound, and so are vertices inside the hull that no face uses. Points in a plane
+// need both sides, which meet at the outline. Within it, faces on an edge's own side decide about the edge.
 //
 // vertices  count vertices, at most 2 GJK_RADIUS_MAX apart along an axis (SIZE).
 // Statuses  NULL; EMPTY. OK: out is written, with or without a fault.

@@ -72,8 +72,8 @@ typedef struct gjk_impact_result {
 //
 // OK               everything, as above.
 // ITERATION_LIMIT  everything but distance, points and normal. hit and overlap are false, upper is GJK_Q30_ONE. lower
-//                  is proven as always. With setup->iterations 0 there are two causes. The gap may stay hardly above
-//                  margin + tolerance for long or often. Or shapes move by the tolerance in 2^-30 of the way.
+//                  is proven as always. With setup->iterations 0 there are two causes. The gap may stay just above
+//                  margin + tolerance for long or often. Or a shape may move by the tolerance within 2^-30 of the way.
 // NULL, UNINITIALISED, ROTATION, NEGATIVE (margin), RANGE (margin, tolerance, a centre that may leave int32)  nothing.
 gjk_status gjk_time_of_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
                               const gjk_motion *motion_b, const gjk_impact_setup *setup, gjk_impact_result *out);

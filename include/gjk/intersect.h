@@ -29,7 +29,7 @@ typedef struct gjk_decision {
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything. The certificate has what its proof uses.
+// OK                   everything; in the certificate, only what its proof uses.
 // ITERATION_LIMIT      iterations. Only cylinder, cone, ellipsoid and custom can cause it.
 // NULL, UNINITIALISED  nothing.
 gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_decision *out);
@@ -38,7 +38,7 @@ gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache
 //
 // a, b, cache, out  as in gjk_intersect.
 // distance          Q16.16, at least 0; 0 asks the same as gjk_intersect.
-// Exact             as in gjk_intersect. With centres more than 16384 units apart, to 2^-28 of their distance.
+// Exact             as in gjk_intersect. For centres more than 16384 units apart, to within 2^-28 of that distance.
 // Cost              as in gjk_intersect; stops as soon as a bound from either side settles the answer.
 // Statuses          as in gjk_intersect. NEGATIVE: distance is below 0, and nothing is valid in out.
 gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,

@@ -31,7 +31,7 @@ typedef struct gjk_joint {
 
 // Makes a joint.
 //
-// fixed     pose of the joint's frame in the frame before, or in that of the base, at angle 0.
+// fixed     pose of the joint's frame in the frame before, or in the base's frame, at angle 0.
 // axis      axis through the frame's origin, in that frame, of any length but 0 (ROTATION). NULL: z.
 // Statuses  NULL; ROTATION. joint is written only after OK.
 gjk_status gjk_joint_init(gjk_joint *joint, const gjk_pose *fixed, const gjk_vec3 *axis);
@@ -42,7 +42,7 @@ gjk_status gjk_joint_init(gjk_joint *joint, const gjk_pose *fixed, const gjk_vec
 // base      the pose that the first joint stands on; may be one of out.
 // angles    count angles, any, more than a turn included.
 // out       count poses, written only after OK. They are units within GJK_ROTATION_TOLERANCE, as all calls take them.
-// Errors    against real arithmetic on base, fixed, axis and angles; tests/check/unit/test_joint.c holds them.
+// Errors    against real arithmetic on base, fixed, axis and angles; tests/check/unit/test_joint.c checks them.
 //             rotation  each joint adds less than 2^-26 radians, and so does the base
 //             position  0.51 LSB per coordinate, and 2^-26 of the sum of k times the length of offset k, counted from
 //                       1. So it is within 1 LSB while that sum is below 500 units, as for 10 joints of 9 units

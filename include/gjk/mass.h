@@ -43,9 +43,9 @@ typedef struct gjk_mass {
 // Kinds     point, segment, triangle, box, cylinder and cone, rounded or not; ellipsoid; rounded ellipsoid if it is a
 //           ball. Hulls, rounded or not, need faces that gjk_hull_check finds sound, except up to three vertices.
 //           gjk_hull_build finds faces for a hull without them, or use gjk_mass_of_hull.
-// Exact     triangles and hulls without a radius: volume, centre and inertia are correctly rounded, a half up. Others:
+// Exact     triangles and hulls without a radius: volume, centre and inertia are correctly rounded, halves up. Others:
 //           the volume is within 0.51 cubic LSB and 2^-60 of itself, the inertia within 0.52 square LSB. The centre is
-//           exact, but for rounded triangles, hulls and cones. Theirs is within 2^-36 LSB before it is rounded down.
+//           exact, except for rounded triangles, hulls and cones. Theirs is within 2^-36 LSB before it is rounded down.
 // Flat      A shape without volume has its mass spread evenly over its area, its length or its one point. A flat box or
 //           cylinder has the limit of thin ones, a flat hull that of its outline.
 // Statuses  NULL; those of gjk_collider_init for the shape. UNSUPPORTED: a custom shape, a hull of more than three

@@ -1,7 +1,7 @@
 // Vectors for programs that use the library, and rotations that aim, with the numbers of gjk/number.h.
 //
 // Every input has a defined result: a value beyond the range of its type becomes the end of that range. Errors are
-// against real arithmetic on the same integers; tests/check/unit/test_math.c holds them.
+// against real arithmetic on the same integers; tests/check/unit/test_math.c checks them.
 #ifndef GJK_MATH_H
 #define GJK_MATH_H
 
@@ -29,7 +29,7 @@ uint32_t gjk_vec3_length(const gjk_vec3 *a);
 // a / |a|, Q2.30, within 0.501 LSB. Statuses: NULL; ROTATION (a is zero). Errors leave out as it was.
 gjk_status gjk_vec3_normalize(const gjk_vec3 *a, gjk_unit3 *out);
 
-// The angle between two directions, from 0 to pi, within 0.501 LSB. If one is zero, the angle is 0.
+// The angle between two directions, from 0 to pi, within 0.501 LSB. If either is zero, the angle is 0.
 gjk_angle gjk_vec3_angle(const gjk_vec3 *a, const gjk_vec3 *b);
 
 // The shortest rotation that takes the direction of from to that of to, within 12 LSB of Q2.30. For opposite directions

@@ -1,8 +1,8 @@
 // Triangle meshes: surfaces of up to millions of triangles, as constants fit for flash.
 //
-// A mesh is the caller's vertices plus 15 bytes for each triangle. These hold three numbers of vertices, the kinds of
-// the edges, and a share of a tree of boxes. gjk_mesh_build makes the tree, on the target or beforehand; gjk-convert
-// writes meshes as C source. A query tests as many triangles in a mesh of a million as in a patch around the body.
+// A mesh is the caller's vertices plus 15 bytes for each triangle. These hold three vertex numbers, the kinds of the
+// edges, and a share of a tree of boxes. gjk_mesh_build makes the tree, on the target or beforehand; gjk-convert writes
+// meshes as C source. A query tests no more triangles in a mesh of a million than in a patch around the body.
 #ifndef GJK_MESH_H
 #define GJK_MESH_H
 
@@ -26,9 +26,9 @@ extern const gjk_parts_class gjk_parts_class_mesh;
 #define GJK_MESH_LEAF 8
 #define GJK_MESH_NODES(triangles) ((triangles) / 4 + ((triangles) % 8 == 0 ? 0 : (triangles) % 8 < 4 ? 2 : 1) - 1)
 
-// The kind of an edge: where the triangle across it lies against this triangle's plane.
+// The kind of an edge: where the triangle across it lies relative to this triangle's plane.
 typedef enum gjk_mesh_edge {
-  GJK_MESH_CONCAVE = 0,  // in front, on the side from which the corners run counterclockwise
+  GJK_MESH_CONCAVE = 0,  // in front: on the side from which the corners run counterclockwise
   GJK_MESH_FLAT = 1,     // in the plane
   GJK_MESH_CONVEX = 2,   // behind the plane, or folded back onto this triangle
   GJK_MESH_OPEN = 3      // there is no triangle across
@@ -59,7 +59,7 @@ typedef struct gjk_mesh {
   uint32_t vertex_count, triangle_count;  // lengths of the arrays
   gjk_vec3 lower, upper;                  // the box of all triangles
   uint8_t shift[3];                       // steps of nodes along x, y and z: (upper - lower) / 2^shift is below 2^16
-  bool two_sided;                         // contacts on both sides; otherwise only on the front
+  bool two_sided;                         // true: contacts on both sides; false: only in front
 } gjk_mesh;
 
 // A body of this mesh at the identity pose, for the queries of gjk/parts.h. Its parts are the triangles, numbered as in
@@ -70,8 +70,8 @@ typedef struct gjk_mesh {
 // Makes a mesh from triangles.
 //
 // vertices   the caller's, must outlive the mesh. Vertices in the same place count as the same.
-// triangles  in: three numbers of vertices each; the other bits are ignored. Out: in the tree's order, with the kinds
-//            of their edges. They must outlive the mesh.
+// triangles  in: three vertex numbers each; other bits are ignored. Out: in the order of the tree, with the kinds of
+//            their edges. They must outlive the mesh.
 // nodes      room for capacity nodes, at least GJK_MESH_NODES(triangle_count).
 // out        written when the result is GJK_OK; on any other status the triangles are as they were.
 // Exact      an edge's kind is the sign of an 87-bit determinant. The same triangles in the same order give the same
@@ -94,7 +94,7 @@ typedef enum gjk_mesh_fault {
   GJK_MESH_EDGES,         // an edge whose kind is wrong
   GJK_MESH_DEGENERATE,    // a triangle whose corners lie in a line; it has no front, and contacts leave it out
   GJK_MESH_CROWDED,       // an edge that more than two triangles share
-  GJK_MESH_TURNED         // an edge that two triangles have in the same direction: one is turned over
+  GJK_MESH_TURNED         // an edge that two triangles run along in the same direction: one is turned over
 } gjk_mesh_fault;
 
 // What gjk_mesh_check found. With a fault up to GJK_MESH_EDGES, queries may miss triangles, but never read outside the

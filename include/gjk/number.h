@@ -1,7 +1,7 @@
 // Fixed-point numbers for programs that use the library, in space and in the plane: products, quotients, roots, angles.
 //
 // Every input has a defined result: a value beyond the range of its type becomes the end of that range. Errors are
-// against real arithmetic on the same integers. tests/check/unit/test_numbers.c holds them; `make numbers` tries every
+// against real arithmetic on the same integers. tests/check/unit/test_numbers.c checks them; `make numbers` tries every
 // input of the functions of one number.
 #ifndef GJK_NUMBER_H
 #define GJK_NUMBER_H

@@ -6,7 +6,7 @@
 //
 // Order    Answers depend neither on the order of the parts in memory nor on the tree above them. Ties go to the part
 //          with the lowest number.
-// Numbers  Parts count from 0. Where a pointer for a number may be NULL, NULL means that the number is not wanted.
+// Numbers  start at 0. Where a pointer for a number may be NULL, NULL means that the number is not wanted.
 // Caches   There are none: every part is queried from a cold start.
 // Statuses of every call, in addition to its own; they leave the outputs as they were:
 //            NULL           a pointer is missing, or a body has no class or data
@@ -84,8 +84,8 @@ gjk_status gjk_parts_distance(const gjk_parts *a, const gjk_collider *b, uint32_
 
 // The depth of the deepest part, as gjk_penetration of that part.
 //
-// Depth, normal and points are those of one part. B moved by depth normal is clear of that part, but may still overlap
-// others. Between two walls no single move clears both. Ask again after the move, or take the contacts of all parts.
+// Depth, normal and points are those of one part. B moved by depth * normal is clear of that part, but may still
+// overlap others. Between two walls no single move clears both. Ask again after the move, or take all contacts.
 //
 // workspace  as in gjk_penetration, used for one part after the other; may be NULL.
 // part       the deepest part; ties go to the lowest number. GJK_PARTS_NONE: no part overlaps.
@@ -131,8 +131,8 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
 //            Without contacts there are none. out may be written whatever the status.
 // Merging    The contacts of a part join the manifold with the nearest normal, if it is at most 3 degrees from theirs.
 //            Otherwise they begin another one. A manifold takes the normal of its deepest contact, so in a row of
-//            normals some may be farther from it. Contacts within 8 LSB of each other per axis count once. Where there
-//            are more than most, the same ones are kept as by gjk_contacts.
+//            normals some may be farther from it. Contacts within 8 LSB of each other per axis count once. If there are
+//            more than most, they are chosen as in gjk_contacts.
 // Room       If there are more normals than capacity, the least deep are left out. A normal that is left out for a
 //            while loses its contacts, so the manifolds that are kept may then depend on capacity.
 // Order      Parts are taken in the order of their numbers, so the manifolds do not depend on the tree.
@@ -149,7 +149,7 @@ gjk_status gjk_parts_manifolds(const gjk_parts *a, const gjk_collider *b, gjk_q1
 
 // The first part that is met when A and B move in straight lines, as gjk_cast of that part.
 //
-// path  as in gjk_cast: path->to_a is where the position of A's pose goes.
+// path  as in gjk_cast: path->to_a is the position of A's pose at the end.
 // part  the part with the least fraction. Ties go to a part with inside set, then to the lowest number. GJK_PARTS_NONE:
 //       no part is met. May be NULL.
 // out   the result for that part, except that rest_a is the position of A's own pose. After a miss only hit is set,
@@ -189,16 +189,16 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
                                     const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
                                     gjk_impact_result *out);
 
-// As gjk_parts_cast and gjk_parts_time_of_impact, but only with those parts that B is in front of at the start. Those
-// are the parts that a body on the ground may still run into.
+// As gjk_parts_cast and gjk_parts_time_of_impact, but only for the parts that B is in front of at the start. A body on
+// the ground may still run into those.
 //
-// Triangles  B is in front if all of it is more than the margin beyond the plane. Of a two-sided triangle, the side
-//            counts on which most of B lies. In an impact, B meets such a triangle only if it is more than margin +
+// Triangles  B is in front if all of it is more than the margin beyond the plane. A two-sided triangle counts from the
+//            side where most of B lies. In an impact, B meets such a triangle only if it is more than margin +
 //            tolerance beyond, or if most of B crosses the plane.
 // Others     B is in front of any other part if B is farther than the margin from it. The same holds for a triangle
 //            whose corners lie in a line; there an impact asks for margin + tolerance.
-// Rounding   B's height above a plane may be within 12 LSB of the margin. Then B does not meet the triangle if B is
-//            within the margin of it. Otherwise B does if it is in front or if most of it crosses the plane.
+// Rounding   B's height above a plane may be within 12 LSB of the margin. Then B does not meet a triangle within the
+//            margin. Otherwise B meets it if B is in front, or if most of B crosses the plane.
 // Statuses   as in gjk_parts_cast and gjk_parts_time_of_impact. For an impact, b need only be bound to its shape.
 gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
                                 gjk_cast_result *out);

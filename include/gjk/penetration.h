@@ -37,12 +37,12 @@ typedef union gjk_epa_cell {
 #define GJK_EPA_CELLS(vertices) (3 * (vertices)-4 + (vertices) / 2)
 
 // The most EPA iterations for a pair with a curved shape, and the cells that they take; more cells change nothing.
-// Smooth shapes whose centres coincide are equally deep all round and would take hundreds of thousands of iterations.
+// Smooth shapes with coinciding centres are equally deep all round, and would take hundreds of thousands of iterations.
 #define GJK_EPA_CURVED_ITERATIONS_MAX 1000
 #define GJK_EPA_CURVED_CELLS (GJK_EPA_CELLS(GJK_EPA_CURVED_ITERATIONS_MAX + 4) + GJK_EPA_CURVED_ITERATIONS_MAX + 4)
 
-// The caller's memory for the EPA hull. A pair needs it only if its cores overlap. Points, segments and boxes, with or
-// without a convex radius, need none among each other.
+// The caller's memory for the EPA hull. A pair needs it only if its cores overlap. Pairs of points, segments and boxes,
+// with or without a convex radius, need none.
 //
 // EPA hulls of other pairs have, in vertices:
 //   hulls of n and m vertices   at most n m
@@ -73,20 +73,20 @@ typedef struct gjk_penetration_result {
 // The depth by which two convex shapes overlap, with its direction and points.
 //
 // a, b       posed colliders, read only; may be the same object.
-// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only: it helps to find that the
-//            shapes are apart, and the nearest facet of boxes. Other depths start cold. Written after OK and CAPACITY.
+// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only: it speeds up finding shapes
+//            apart, and the nearest facet of boxes. Other depths start cold. Written after OK and CAPACITY.
 // workspace  read only, its cells in/out; may be NULL, see gjk_workspace. The result depends on the number of cells
-//            only if they are too few. It never depends on their contents.
+//            only if there are too few, and never on their contents.
 // out        the caller's.
 // Exact      points, segments, triangles, boxes, hulls and their forms with a convex radius:
 //              depth           the true minimum over all directions, rounded up; lower and upper equal it
-//              normal          B moved by depth normal, each component rounded away from 0, is apart from A or touches
-//                              it. normal is within 2^-28 of the direction of least depth
-//              points          each within 1 LSB of its shape. When B has moved by depth normal, they coincide to
+//              normal          B moved by depth * normal, each component rounded away from 0, is apart from A or
+//                              touches it. normal is within 2^-28 of the direction of least depth
+//              points          each within 1 LSB of its shape. Once B has moved by depth * normal, they coincide to
 //                              within 3 LSB and 2^-28 of depth. Coordinates saturate at the ends of Q16.16
-//            Ties: depths along directions are compared exactly, not in LSB. Among points, segments and boxes the order
-//            is: faces of a by half axis, faces of b, then edges of a by those of b. For other pairs the choice depends
-//            only on the posed shapes and their order.
+//            Ties: depths along directions are compared exactly, not in LSB. Among points, segments and boxes, faces of
+//            a by half axis win, then faces of b, then edges of a crossed with edges of b. For other pairs the choice
+//            depends only on the posed shapes and their order.
 //            Cylinder, cone, ellipsoid: depth within 3 LSB, between bounds at most 6 LSB apart; or CAPACITY.
 // Cost       the iterations of gjk_distance, and one for each vertex of the EPA hull. The workspace limits these; with
 //            a curved shape GJK_EPA_CURVED_ITERATIONS_MAX does too. Stack: `make sizes`.
@@ -95,8 +95,8 @@ typedef struct gjk_penetration_result {
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything if intersecting, else intersecting, iterations and certificate. The certificate has
-//                      what its proof uses.
+// OK                   everything if intersecting, else intersecting, iterations and certificate; in that, only what
+//                      its proof uses.
 // CAPACITY             everything; intersecting is true. The workspace is too small, or a curved pair would take more
 //                      than GJK_EPA_CURVED_ITERATIONS_MAX. depth equals upper, and B moved by it is clear of A. The
 //                      least depth is at least lower. The certificate proves nothing.
@@ -112,7 +112,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
 //                         lower = -upper, upper = -lower and intersecting set. iterations stops counting at 255.
 // Exact, Cost, After      as in gjk_distance and gjk_penetration.
 //
-// OK                   everything, points and normal too. The certificate has what its proof uses.
+// OK                   everything, points and normal too; in the certificate, only what its proof uses.
 // CAPACITY             everything, as in gjk_penetration.
 // ITERATION_LIMIT      lower, upper, iterations. The signed distance lies between lower and upper. lower above 0 proves
 //                      that the shapes are apart, upper below 0 that they overlap.

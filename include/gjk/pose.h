@@ -5,7 +5,7 @@
 // does no harm within the tolerance. Beyond it, a call returns a status.
 //
 // Errors  are against real arithmetic on the same integer input, for every input, and bound every component.
-//         tests/check/unit/test_pose.c holds them.
+//         tests/check/unit/test_pose.c checks them.
 // Outputs are written only when the result is GJK_OK. An output may be the same object as an input of its type.
 // Statuses NULL; ROTATION for a quaternion that is not a unit; RANGE where stated.
 // Cost    no loop depends on a value.
@@ -19,11 +19,11 @@
 extern "C" {
 #endif
 
-// Accepted deviation of |q|^2 from 1, Q2.30: 2^-16.
+// The accepted deviation of |q|^2 from 1, Q2.30: 2^-16.
 #define GJK_ROTATION_TOLERANCE ((gjk_q30)16384)
 
 // The rotation by an angle about an axis, by the right-hand rule, within 2 LSB. axis has any length but 0 (ROTATION).
-// angle is any, more than a turn included; 0 gives exactly the identity.
+// angle may exceed a turn; 0 gives exactly the identity.
 gjk_status gjk_quat_from_axis_angle(const gjk_vec3 *axis, gjk_angle angle, gjk_quat *out);
 
 // The rotation about fixed x, then fixed y, then fixed z (roll, pitch, yaw), within 3 LSB.

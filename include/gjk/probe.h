@@ -1,7 +1,7 @@
 // Rays, casts and distances against the shapes of a scene.
 //
-// They see the current poses, also between updates. Each asks only the parts whose boxes meet the way, enlarged by a
-// margin. The answer does not depend on the tree.
+// These queries see the current poses, even between updates. Each tests only the parts whose boxes, enlarged by a
+// margin, meet the way. The answer does not depend on the tree.
 //
 // Threads  several queries of one scene may run at once.
 // Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
@@ -25,14 +25,14 @@ gjk_status gjk_scene_cast_ray(const gjk_scene *scene, const gjk_vec3 *from, cons
                               const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk_cast_result *result, bool *found);
 
 // Finds all parts that the segment meets, in the order of (fraction, slot, part), with the fractions of gjk_cast_ray.
-// If a cast reaches its ceiling, the part is reported at a fraction before which it is not met. after, hits and count
-// are as in gjk_scene_query_box.
+// If a cast reaches its ceiling, it reports the part at a fraction before which the part is not met. after, hits and
+// count are as in gjk_scene_query_box.
 gjk_status gjk_scene_cast_ray_all(const gjk_scene *scene, const gjk_vec3 *from, const gjk_vec3 *to,
                                   const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
                                   uint32_t capacity, uint32_t *count);
 
-// As gjk_scene_cast_ray, for a collider that moves in a straight line until its position is to. result is that of
-// gjk_cast with the part as A, which stands still.
+// As gjk_scene_cast_ray, for a collider that moves in a straight line to the position to. result is that of gjk_cast
+// with the part as A, which stands still.
 //
 // collider  posed.
 // margin    the gap at which shapes count as touching.

@@ -4,20 +4,18 @@
 // save, and works at any address. A gjk_scene is the handle of a block: a small struct with the pointers.
 //
 // A scene's answers depend on its contents alone, so they are the same on every platform. They do not depend on
-// addresses, caches or capacities, nor on the way that bodies took to where they are. Bodies that are added to stated
-// slots may be added in any order. tests/check/unit/test_scene_*.c and test_history.c hold each statement of this
-// header.
+// addresses, caches or capacities, nor on how the bodies got there. Bodies may be added to stated slots in any order.
+// tests/check/unit/test_scene_*.c and test_history.c check each statement of this header.
 //
-// What is reported of a pair is a function of shapes, poses, margins and configuration. It is what the queries answer
-// from a cold start, even where they reach a ceiling. Skips and caches never change it. One case needs no query. A pair
-// with a curved or custom shape is apart if its exact boxes are farther apart along an axis than the margins.
+// The report of a pair is a function of shapes, poses, margins and configuration. It is what the queries answer from a
+// cold start, even where they reach a ceiling. Skips and caches never change it. One case needs no query. A pair with a
+// curved or custom shape is apart if its exact boxes are farther apart along an axis than the margins.
 //
 // Lockstep peers need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration. Only
-// box_margin and retest_all may differ, and capacities that do not run out.
+// box_margin, retest_all, and capacities that do not run out may differ.
 //
-// Threads  calls for one scene may not overlap, but for gjk_scene_test_pairs and several queries at once.
-// Cost     a call that changes one body: O(log bodies + its parts). An update: of the order of the pairs of the bodies
-//          that moved.
+// Threads  calls for one scene must not overlap, except for several queries, or several gjk_scene_test_pairs.
+// Cost     a call that changes one body: O(log bodies + its parts). An update: O(pairs of the bodies that moved).
 // Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
 #ifndef GJK_SCENE_H
 #define GJK_SCENE_H
@@ -44,30 +42,30 @@ typedef struct gjk_body_setup {
   gjk_pose pose;            // where it stands
   const gjk_part *parts;    // read only during the call
   uint16_t part_count;      // at least 1
-  uint8_t kind;             // a gjk_body_kind; 0: static. Two static bodies are never tested, even when moved
+  uint8_t kind;             // a gjk_body_kind; 0: static, never tested against another static body, even when moved
   uint8_t detail;           // a gjk_detail; a pair gets the largest of the configuration's and its two bodies'
-  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask; not both 0
+  uint32_t category, mask;  // tested if each body's category shares a bit with the other's mask; both 0: RANGE
   uint32_t user;            // the caller's own word
   gjk_q16 margin;           // two parts are near when at most the sum of their margins apart; 0: touching
 } gjk_body_setup;
 
 // What a scene holds and does.
 //
-// pairs            an update needs room for the pairs of parts that were near at the last update, and for those whose
-//                  boxes meet. These are the exact boxes, each enlarged by its body's margin. Room for all that meet
-//                  within box_margin saves work.
-// workspace_cells  if they are too few for a depth, the report depends on their number: see gjk/penetration.h.
+// pairs            must hold the pairs of parts that were near at the last update, and those whose boxes meet. These
+//                  are the exact boxes, each enlarged by its body's margin. Room for all pairs that meet within
+//                  box_margin saves work.
+// workspace_cells  if a depth needs more, its report depends on their number: see gjk/penetration.h.
 typedef struct gjk_scene_config {
   uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX
   uint32_t parts;      // capacity: parts of all bodies together, from 1 to GJK_SCENE_BODIES_MAX
   uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
   uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
   gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK_RADIUS_MAX
-  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair; CONTACTS: the block has a cache for each
+  uint8_t detail;      // a gjk_detail but SENSOR, the least for every pair; DEPTH, CONTACTS: set bindings.details too
   uint8_t persist;     // 1: pairs that stay near are reported in every update
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
-  uint8_t pair_words;  // words of the caller for each pair, see gjk_report; 0 to GJK_SCENE_PAIR_WORDS_MAX
-  uint32_t workspace_cells;  // how many cells of bindings.workspace depths and contacts use, see above; 0: none
+  uint8_t pair_words;  // the caller's words for each pair, see gjk_report; 0 to GJK_SCENE_PAIR_WORDS_MAX
+  uint32_t workspace_cells;  // cells of bindings.workspace for depths and contacts, see above; 0: none
   uint32_t motions;  // capacity: bodies whose motion is kept, see gjk_scene_set_motion; 0 to GJK_SCENE_BODIES_MAX
 } gjk_scene_config;
 
@@ -87,12 +85,12 @@ typedef struct gjk_scene_bindings {
   const gjk_workspace *workspace;    // at least config.workspace_cells cells, no more are used; NULL: none
   gjk_manifold *manifolds;           // room for a manifold per report of a call, see gjk_report; NULL: none are wanted
   const gjk_scene_motions *motion;   // &gjk_scene_motion; NULL: no motion is kept
-  bool keeps_manifolds;  // true: the program keeps each pair's last manifold, so a report that is still has none
+  bool keeps_manifolds;  // true: the program keeps each pair's last manifold, so reports with still set have none
 } gjk_scene_bindings;
 
 // The handle of a scene. gjk_scene_init, gjk_scene_open and gjk_scene_attach write all of it when they return GJK_OK,
-// and nothing of it otherwise. It may be copied: all copies are handles of the same scene. Of a copy, bindings may be
-// changed: a thread that tests pairs takes a copy with a workspace of its own.
+// and nothing of it otherwise. It may be copied: all copies are handles of the same scene. A copy may have other
+// bindings: a thread that tests pairs uses a copy with a workspace of its own.
 typedef struct gjk_scene {
   void *block;                     // the caller's memory
   const gjk_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
@@ -100,28 +98,28 @@ typedef struct gjk_scene {
   gjk_scene_bindings bindings;     // what else the program binds to it
 } gjk_scene;
 
-// Bytes of a block for so many bodies, parts and pairs, as a constant.
+// Bytes of a block for these numbers of bodies, parts and pairs, as a constant.
 //
 //     static uint32_t block[GJK_SCENE_BYTES(8, 8, 16) / 4];
 //
-// Exact where config.detail is CONTACTS; another detail needs 24 bytes a pair less.
+// Exact if config.detail is CONTACTS; any other detail needs 24 bytes less for each pair.
 #define GJK_SCENE_BYTES(bodies, parts, pairs)                                                 \
   (UINT32_C(296) + UINT32_C(60) * (bodies) + UINT32_C(4) * (((bodies) + UINT32_C(31)) / 32) + \
    UINT32_C(184) * (parts) + UINT32_C(72) * (pairs))
 
-// What to add for own poses, for motions, and for words: config.pairs times config.pair_words of them.
+// Bytes to add for own poses, motions and words. There are config.pairs * config.pair_words words.
 #define GJK_SCENE_MORE_BYTES(own_poses, motions, words) \
   (UINT32_C(32) * (own_poses) + UINT32_C(44) * (motions) + UINT32_C(4) * (words))
 
-// Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
+// Bytes of a block, at run time. 0: the configuration is outside its ranges, or size_t cannot hold the number.
 size_t gjk_scene_bytes(const gjk_scene_config *config);
 
 // Makes an empty scene.
 //
 // scene     written whole.
-// block     the caller's, aligned for uint32_t, at least gjk_scene_bytes; may come from gjk_port_allocate.
+// block     the caller's, aligned for uint32_t, of gjk_scene_bytes or more. GJK_SCENE_BYTES sizes a static array.
 // shapes    the caller's, must stay as it is while the scene is used; may hold NULLs that no body names.
-// bindings  copied into the handle, whose own bindings they may be; NULL: none.
+// bindings  copied into the handle; may point to the handle's own; NULL: none.
 // Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes). UNSUPPORTED: config.detail asks for what
 //           bindings.details lacks.
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
@@ -144,15 +142,15 @@ gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setu
 // Removes a body. The next update reports the end of its pairs that were near.
 gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id);
 
-// Takes a body to its next pose, and wakes it. Two static bodies are not tested even then. Statuses as
-// gjk_collider_pose.
+// Moves a body to its next pose, and wakes it. A static body moves too, but is never tested against other static ones.
+// Statuses as gjk_collider_pose.
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
 // As gjk_scene_move, for a body that will not go on moving the same way. Only boxes in the tree differ, never answers.
 gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
 // A sleeping body stands still. A pair persists in reports only while one of its bodies is awake and not static.
-// Sleep: RANGE unless the body is dynamic.
+// gjk_scene_sleep: RANGE unless the body is dynamic.
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id);
 gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 
@@ -173,15 +171,15 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 //           NULL. gjk_scene_remove and gjk_scene_teleport of a body with kept motion need that binding, too.
 gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion);
 
-// The pose of a body with kept motion at the last update, or where a teleport has put it since. From there to its pose
-// now is its motion, by which a platform carries what stands on it. Ask before the next update. UNSUPPORTED: no kept
-// motion.
+// The pose of a body with kept motion at the last update, or where a teleport has put it since. Its motion leads from
+// there to its present pose; a platform carries what stands on it by that motion. Ask before the next update.
+// UNSUPPORTED: no kept motion.
 gjk_status gjk_scene_last_pose(const gjk_scene *scene, gjk_body_id id, gjk_pose *out);
 
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 
-// Sets a body's category and mask.
+// Sets a body's category and mask. With both 0, which gjk_scene_add refuses, the body has no pairs.
 gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id id, uint32_t category, uint32_t mask);
 
 // Sets a body's user word. A different word implies gjk_scene_refilter, because the predicate is given that word.
@@ -194,8 +192,8 @@ gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id id);
 typedef struct gjk_body_state {
   gjk_pose pose;                  // where it stands now
   uint32_t category, mask, user;  // as in gjk_body_setup
-  gjk_q16 margin;                 // the same
-  uint16_t part_count;            // of its parts
+  gjk_q16 margin;                 // as in gjk_body_setup
+  uint16_t part_count;            // number of its parts
   uint8_t kind, detail;           // a gjk_body_kind and a gjk_detail
   bool asleep;                    // see gjk_scene_sleep
   uint8_t motion;                 // a gjk_body_motion
@@ -219,14 +217,14 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 // manifold  set in BEGIN and PERSIST with CONTACTS: up to 4 contacts. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
 // still     set in PERSIST: since the pair's last report no call has moved or changed one of its bodies. So distance
-//           and manifold are, bit for bit, what they were then. A move to the pose that a body has changes nothing; a
-//           move away and back counts as one. still is not hashed, because it changes no answer.
-// Keeping   With bindings.keeps_manifolds, a report that is still has no manifold, and with CONTACTS its distance is 0.
-//           Set it once the program has a manifold of each near pair, and save these with the block.
+//           and manifold are, bit for bit, what they were then. A move to the present pose changes nothing; a move away
+//           and back counts as a move. still is not hashed, because it changes no answer.
+// Keeping   With bindings.keeps_manifolds, a report with still set has no manifold, and with CONTACTS its distance is
+//           0. Set it once the program has a manifold of each near pair, and save these with the block.
 // words     config.pair_words words in the block, for the caller to write, such as impulses to warm start a solver.
-//           They are 0 at BEGIN, and stay as written until the pair's END has been reported. They go with saves and
-//           copies, and count in gjk_scene_hash. So peers must write the same words, and no addresses. A write breaks a
-//           seal. The pointer is valid while the pair is near, and at END until the next update begins. NULL: none
+//           They are 0 at BEGIN, and stay as written until the pair's END has been reported. Saves and copies include
+//           them, and gjk_scene_hash counts them. So peers must write the same words, and no addresses. A write breaks
+//           a seal. The pointer is valid while the pair is near, and at END until the next update begins. NULL: none
 //           configured, or an IMPACT.
 typedef struct gjk_report {
   gjk_body_id a, b;         // the bodies
@@ -263,20 +261,20 @@ gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *
 // Takes a report, which is valid only during the call.
 typedef void gjk_report_function(void *user, const gjk_report *report);
 
-// As gjk_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
+// As gjk_scene_update, with each report handed to a function, which must not change the scene. bindings.manifolds needs
 // room for one.
 gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function, void *user);
 
-// Spread an update over threads. gjk_scene_update_begin says how many pairs are to be tested. Then threads test
+// Spreads an update over threads. gjk_scene_update_begin says how many pairs are to be tested. Then threads test
 // disjoint ranges of them at the same time, without locks: each call writes only to its own pairs' records. Last, a
 // gjk_scene_update tests what is left and reports. Where depths are asked for, each thread needs a copy of the handle
-// with a workspace of its own. Statuses as gjk_scene_update, and: begin: BUSY while reports are left. Test: RANGE:
-// first > end, or end beyond the pairs, or no update has begun.
+// with a workspace of its own. Statuses as gjk_scene_update. Beginning also: BUSY while reports are left. Testing also:
+// RANGE if first > end, if end is beyond the pairs, or if no update has begun.
 gjk_status gjk_scene_update_begin(gjk_scene *scene, uint32_t *pairs);
 gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
 
-// Spread fast bodies over threads as well, once every pair is tested: count is the number of bodies whose motion is
-// kept. Then threads sweep disjoint ranges of them at the same time. Statuses as gjk_scene_test_pairs.
+// Spreads fast bodies over threads as well, once every pair is tested. count is the number of bodies whose motion is
+// kept. Threads then sweep disjoint ranges of them at the same time. Statuses as gjk_scene_test_pairs.
 gjk_status gjk_scene_sweep_count(const gjk_scene *scene, uint32_t *count);
 gjk_status gjk_scene_sweep(gjk_scene *scene, uint32_t first, uint32_t end);
 
@@ -284,22 +282,22 @@ gjk_status gjk_scene_sweep(gjk_scene *scene, uint32_t first, uint32_t end);
 // end. The event is PERSIST, or END if a body has been removed since.
 gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found);
 
-// The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
-// cache. For programs that need some pairs only, or share the work among threads. most, out and statuses as of
-// gjk_contacts. Also BODY_ID; RANGE for a part that is not there; UNSUPPORTED for a workspace of fewer cells than
+// The manifold of a reported pair at its bodies' current poses, with the sum of their margins as its margin, from a
+// cold start. It serves programs that need only some pairs, or share the work among threads. most, out and statuses as
+// in gjk_contacts. Also BODY_ID; RANGE for a part that is not there; UNSUPPORTED for a workspace of fewer cells than
 // config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
 // What the last update did, and what the scene holds.
 gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out);
 
-// Queries. They see the current poses, also between updates.
+// Queries. They see the current poses, even between updates.
 
 // Finds the parts whose exact boxes share a point with box, in the order of (slot, part).
 //
-// after   NULL, or the last hit of the call before: then only what follows it is found. So any buffer will do.
+// after   NULL, or the last hit of the call before, to find only what follows it. So a buffer of any size will do.
 // hits    room for capacity hits, NULL when that is 0.
-// count   how many were found. The first of them, as many as fit, are in hits.
+// count   how many were found. hits holds the first of them, as many as fit.
 // Statuses  RANGE: lower > upper along an axis.
 gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, const gjk_scene_hit *after,
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
@@ -310,8 +308,8 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
 // Finds the part nearest to a posed collider, at most reach away by gjk_distance; ties go to the lowest (slot, part).
-// Where a query reaches its ceiling on iterations, the larger of two lower bounds counts as the distance: the query's
-// and the boxes'.
+// If a query reaches its ceiling on iterations, the larger of two lower bounds counts as the distance: the query's and
+// the boxes'.
 //
 // ignore  NULL, or a body to leave out, for example the one that asks.
 // found   whether there is one. hit and distance are written only then.
@@ -323,7 +321,7 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 
 // A 64-bit hash of everything that affects later answers.
 //
-// Counted   the configuration but for capacities, box_margin and retest_all; the build's GJK_ITERATIONS_MAX; bodies and
+// Counted   the configuration except capacities, box_margin and retest_all; the build's GJK_ITERATIONS_MAX; bodies and
 //           their kept motions; pairs near at the last update and their words; the number of updates.
 // Left out  tree and caches: a copy whose caches are zeroed goes on with the same answers.
 // Statuses  BUSY during an update.
@@ -333,12 +331,12 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 gjk_status gjk_scene_seal(gjk_scene *scene);
 
 // Opens a sealed block from any source. Checks its header, byte order and checksum, and everything that gjk_scene_check
-// does. So no later call reads or writes outside of the block.
+// does. So no later call reads or writes outside the block.
 //
 // scene, bindings  as in gjk_scene_init.
 // shapes           the same shapes as before; the caller promises that.
 // Statuses         CORRUPT: damaged, or of another GJK_SCENE_BLOCK_VERSION, or of a build with other ceilings on
-//                  iterations. Also CORRUPT: a part's box or pose shows that the shapes are others. CAPACITY (bytes).
+//                  iterations. Also CORRUPT: a part's box or pose shows that the shapes differ. CAPACITY (bytes).
 //                  RANGE: not aligned, or a shape index that the table lacks.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
                           uint16_t shape_count, const gjk_scene_bindings *bindings);
@@ -349,7 +347,7 @@ gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const g
                             uint16_t shape_count, const gjk_scene_bindings *bindings);
 
 // Checks every index and invariant in the block, and poses every part anew: OK or CORRUPT; RANGE for a shape index that
-// the table lacks. Visits all of the block. May not overlap with queries, because it marks and restores records.
+// the table lacks. Visits the whole block. Must not run beside queries, because it marks and restores records.
 gjk_status gjk_scene_check(const gjk_scene *scene);
 
 #ifdef __cplusplus

@@ -5,7 +5,7 @@
 //
 //     static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.25));
 //
-// An initialiser names the class of its kind. So a program links the kinds that it mentions, and no others.
+// An initialiser names the class of its kind. So a program links only the kinds that it mentions.
 #ifndef GJK_SHAPE_H
 #define GJK_SHAPE_H
 
@@ -30,30 +30,30 @@ extern const gjk_shape_class gjk_class_cone;
 extern const gjk_shape_class gjk_class_ellipsoid;
 extern const gjk_shape_class gjk_class_custom;
 
-// The support function of a custom shape. It writes to out a point of the shape that is farthest along direction.
+// The support function of a custom shape. It writes the shape's farthest point along direction to out.
 //
 // user       the shape's user pointer.
 // direction  local frame, not zero, of any length up to 2^31.
-// out        local frame, Q16.16; the local origin on entry. A point farther than size.x from the local origin is
-//            pulled back towards it, onto that bound; a port with asserts stops there. If the point is e LSB from the
-//            true farthest one, decisions and distances are right to within e LSB more.
+// out        local frame, Q16.16; the local origin on entry. If the point is farther than size.x from that origin, it
+//            is pulled back onto this bound. A port with asserts stops instead. If the point is e LSB from the true
+//            farthest one, decisions and distances are right to within e LSB more.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
 // The faces of a hull: convex polygons of 3 to GJK_FACE_CORNERS_MAX corners. Contacts, mass properties and drawing use
-// them.
+// them. GJK_HULL_CORNERS_MAX and GJK_HULL_FACES_MAX (gjk/hull.h) size the arrays.
 typedef struct gjk_hull_faces {
-  const uint16_t *corner;  // vertices of all faces, one face after the other, each counterclockwise seen from outside
+  const uint16_t *corner;  // vertex numbers of all faces, face after face, each counterclockwise seen from outside
   const uint16_t *end;     // end[i]: where face i ends in corner
   uint16_t count;          // number of faces
 } gjk_hull_faces;
 
 // A table of a hull, made by gjk/table.h. For each cell of directions it lists the vertices that may be farthest along
-// one of them. Support scans look only at these. It pays for hulls of some 32 vertices or more.
+// one of them. Support scans look only at these. It pays from about 32 vertices on.
 //
 // gjk_collider_init checks only that every list can be read. If a cell lacks vertices, answers are wrong, as if the
 // hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
 typedef struct gjk_hull_table {
-  const uint16_t *vertex;  // numbers of vertices of all cells, one cell after the other, rising within each
+  const uint16_t *vertex;  // vertex numbers of all cells, cell after cell, ascending within each
   const uint16_t *end;     // end[i]: where cell i ends in vertex; no cell is empty
   uint8_t level;           // 0 to GJK_TABLE_LEVEL_MAX: there are GJK_TABLE_CELLS(level) cells
 } gjk_hull_table;
@@ -115,7 +115,7 @@ typedef struct gjk_shape {
 #define GJK_CAPSULE(radius, half) GJK_ROUNDED_SEGMENT(half, radius)
 // The triangle of three vertices.
 #define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)
-// A box about the origin, by half its extents.
+// A box about the origin, given by its half extents.
 #define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)
 // The hull of n vertices, also with faces for contacts, or with a table.
 #define GJK_HULL(vertices_n, n) GJK_ROUNDED_HULL(vertices_n, n, 0)
@@ -126,9 +126,9 @@ typedef struct gjk_shape {
 #define GJK_CYLINDER(base_radius, half) GJK_ROUNDED_CYLINDER(base_radius, half, 0)
 // A cone: apex at z = half, base at z = -half.
 #define GJK_CONE(base_radius, half) GJK_ROUNDED_CONE(base_radius, half, 0)
-// An ellipsoid by its radii.
+// An ellipsoid, given by its radii.
 #define GJK_ELLIPSOID(radius_x, radius_y, radius_z) GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, 0)
-// A custom shape. bound is a radius about the local origin that the shape stays within.
+// A custom shape. All its points are at most bound away from the local origin.
 #define GJK_CUSTOM(function, user_pointer, bound) GJK_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
 
 #ifdef __cplusplus

@@ -10,8 +10,8 @@ extern "C" {
 // then; the others are as they were.
 //
 // ITERATION_LIMIT  gjk_distance, gjk_distance_until: bounds, points and a normal, as far as proven.
-//                  gjk_signed_distance: bounds. gjk_intersect, gjk_within, gjk_within_until: that it is open, and the
-//                  iterations. gjk_penetration, gjk_contacts: nothing. gjk_cast: how far the way is free.
+//                  gjk_signed_distance: bounds. gjk_intersect, gjk_within, gjk_within_until: iterations; the answer is
+//                  open. gjk_penetration, gjk_contacts: nothing. gjk_cast: how far the way is free.
 // CAPACITY         of a workspace, from gjk_penetration, gjk_signed_distance and gjk_contacts: an answer that is safe
 //                  to move by, but not the least.
 //

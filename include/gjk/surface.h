@@ -22,8 +22,8 @@ typedef struct gjk_surface_contact {
 // margin     Q16.16, 0 to GJK_RADIUS_MAX (NEGATIVE, RANGE); points farther apart are left out.
 // most       the most contacts of one manifold, 1 to 8 (RANGE).
 // workspace  as in gjk_penetration; may be NULL.
-// out        room for capacity manifolds, the caller's; may be written in any case. Only the data of a determine the
-//            order.
+// out        room for capacity manifolds, the caller's; may be written in any case. The order depends only on the data
+//            of a.
 // count      the number of manifolds in out.
 //
 // Normals  A manifold has the triangle's own normal if a deepest point of the body along it lies over the triangle.
@@ -33,11 +33,11 @@ typedef struct gjk_surface_contact {
 //          keeps the body farther out, the neighbour has the contact instead. So flat and concave edges have no
 //          normals. An edge that two triangles share only in part counts as open.
 // Sides    A body is behind a triangle if more than half of its height along the triangle's normal is behind the plane.
-//          A one-sided triangle then has no contact. Nor has it one if the body is apart and its nearest point is on
-//          the triangle's back, as at a border that the body hooks under. Of a two-sided triangle, the side counts that
+//          A one-sided triangle then has no contact. It has none either if the body is apart and nearest to the
+//          triangle's back, as at a border that the body hooks under. A two-sided triangle counts from the side that
 //          the body is not behind.
-// Missing  Triangles whose corners lie in a line have no contacts. Any other body in front of a triangle that it
-//          overlaps has a contact. A body that is apart has one at the least distance. Rarely (1 of 50,000) that is at
+// Missing  Triangles whose corners lie in a line have no contacts. Otherwise a body in front of a triangle that it
+//          overlaps has a contact. A body that is apart has one at the least distance. Rarely (1 in 50,000) that is at
 //          another triangle farther out (tests/check/unit/test_mesh_contacts.c).
 // Twice    A body at an edge or corner has a contact with each triangle there that has the normal.
 // Cost     about that of gjk_contacts for each triangle; less if the body lies on a face.

@@ -1,7 +1,7 @@
-// Tables for large hulls, with which a support scan looks at only a few vertices: how to make and how to prove one.
+// Tables for large hulls, with which a support scan looks at only a few vertices: how to make and prove them.
 //
 // A table divides the directions into GJK_TABLE_CELLS(level) cells. For each cell it lists the vertices that may be
-// farthest along one of its directions. A query scans the list of one cell, 5 to 12 vertices whatever the hull has. The
+// farthest along one of its directions. A query scans one cell's list: 5 to 12 vertices, however many the hull has. The
 // answers are the same bits as without a table. A table is a constant, made beforehand, fit for flash:
 //
 //     static uint16_t vertex[2000], end[GJK_TABLE_CELLS(1)];
@@ -24,7 +24,7 @@ extern "C" {
 // vertex    room for capacity numbers. The table has end[GJK_TABLE_CELLS(level) - 1] of them. With the levels above, 12
 //           numbers a cell are mostly enough: 12 * GJK_TABLE_CELLS(level).
 // end       room for GJK_TABLE_CELLS(level) numbers.
-// Whole     Hulls of a few LSB, and polygons of many corners across a cell's directions, are listed with all vertices.
+// Whole     For hulls of a few LSB, and polygons of many corners across a cell's directions, it lists all vertices.
 // Statuses  NULL, EMPTY, RANGE (level), CAPACITY: vertex is too small, and vertex and end hold no valid table.
 // Cost      each cell takes a pass over the vertices, and compares each with those listed so far. Meant for a host, or
 //           for one call on a microcontroller.

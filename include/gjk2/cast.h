@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-// How two shapes move, both in straight lines and in step. At fraction f each has done f of its way, 0 <= f <= 1.
+// How two shapes move, both in straight lines and in step. At fraction f, 0 <= f <= 1, each has covered f of its way.
 typedef struct gjk2_cast_path {
   const gjk2_vec *to_a;  // position of A's pose at the end of its way; NULL: A does not move
   const gjk2_vec *to_b;  // position of B's pose at the end of its way; NULL: B does not move
@@ -58,12 +58,12 @@ typedef struct gjk2_cast_result {
 // out     the caller's.
 // Exact   points, segments, triangles, boxes, polygons and their forms with a convex radius: hit or miss always.
 //           without radius and margin   fraction is the exact quotient, rounded down. rest_a is the exact place to the
-//                                       nearest LSB. rest_b less rest_a is exact but for rounding along the normal. A
-//                                       coordinate along which the normal is 0 is rounded to the nearest LSB
-//           with either                 no contact is before fraction; the gap there is at most 2 LSB above margin.
+//                                       nearest LSB. rest_b less rest_a is exact except for rounding along the normal.
+//                                       A coordinate along which the normal is 0 is rounded to the nearest LSB
+//           with either                 no contact comes before fraction; the gap there is at most 2 LSB above margin.
 //                                       rest_a and rest_b are the places at fraction, rounded likewise
-//         Ellipse, custom: as gjk2_within decides at a gap within 2 LSB of the margin. The gap at fraction is at most 4
-//         LSB above the margin. If both are such shapes, these are 4 and 6 LSB.
+//         Ellipse, custom: as gjk2_within decides for a distance within 2 LSB of the margin. The gap at fraction is at
+//         most 4 LSB above the margin. If both are such shapes, these are 4 and 6 LSB.
 //         For all shapes, the length of one step of fraction adds to the gap if the way is longer than 2^30 LSB. Points
 //         and normal are within 2 LSB and 2^-28 of what is touched at fraction.
 // Cost    polygons of n and m vertices without radius and margin: at most 6 + 2 (n + m) support scans of both.
@@ -75,7 +75,7 @@ typedef struct gjk2_cast_result {
 // Others           nothing; out is as it was.
 gjk_status gjk2_cast(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path, gjk2_cast_result *out);
 
-// Casts a ray, the segment from one point to another, against a shape: as gjk2_cast of a point B that moves along it.
+// Casts a ray, the segment from one point to another, against a shape, as gjk2_cast does for a point B moving along it.
 //
 // point_b and rest_b are where the ray enters, rounded to the nearest LSB and away from A. normal is A's, outwards.
 gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk2_vec *to, gjk2_cast_result *out);

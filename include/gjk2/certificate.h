@@ -1,6 +1,6 @@
 // Certificates of the plane: why an answer is right, in integers that anyone can check.
 //
-// A number names a vertex. Of a polygon or triangle it is the index. Of a box, segment or point, bits 0 and 1 are set
+// A number names a vertex. For a polygon or triangle it is the index. For a box, segment or point, bits 0 and 1 are set
 // for the plus side of the half axes x and y. A pair (a[i], b[i]) stands for the point a - b of the Minkowski
 // difference of the two cores.
 #ifndef GJK2_CERTIFICATE_H

@@ -19,9 +19,9 @@ typedef struct gjk2_aabb {
   gjk2_vec lower, upper;  // the corners with the least and the largest coordinates
 } gjk2_aabb;
 
-// Start from zeroed memory; gjk2_collider_init and gjk2_collider_pose fill it. You may read two fields; the rest is the
-// library's. centre is the world position of the centre of the core's own bounding box. radius is that of a circle
-// about centre that holds the shape with its convex radius. Copies of a collider share shape and buffer.
+// Start from zeroed memory; gjk2_collider_init and gjk2_collider_pose fill it. You may read two fields, centre and
+// radius; the rest is the library's. centre is where the middle of the core's own bounding box lies in the world. A
+// circle of radius about centre holds the shape, convex radius included. Copies of a collider share shape and buffer.
 typedef struct gjk2_collider {
   const gjk2_shape *shape;  // the shape given to gjk2_collider_init
   gjk2_vec *buffer;         // baked polygon: its posed vertices relative to centre; NULL otherwise

@@ -19,8 +19,8 @@ typedef struct gjk2_contact {
                 // byte is the feature id of its point on A, the low byte that on B
 } gjk2_contact;
 
-// feature_a and feature_b number the edge or corner with which each shape meets the normal. The ids tell which:
-//   edge    (lower vertex number + 256 higher vertex number) modulo 2^16
+// feature_a and feature_b number the edge or corner where each shape meets the normal. Contact ids tell which:
+//   edge    (lower vertex number + 256 * higher vertex number) modulo 2^16
 //   corner  its vertex number
 typedef struct gjk2_manifold {
   gjk2_unit normal;                         // from A to B, Q2.30
@@ -42,11 +42,11 @@ typedef struct gjk2_manifold {
 //         normal. The contacts are the ends of the stretch along which two such edges lie across from each other.
 // Others  All other shapes meet in the one pair of points of gjk2_signed_distance. So do shapes whose centres are more
 //         than 8192 units apart along an axis.
-// Least   The pair of points of gjk2_signed_distance is among the contacts wherever it is nearer than the others.
+// Least   The pair of points of gjk2_signed_distance is among the contacts whenever it is nearer than the others.
 // most    If most is 1, the deeper contact is kept; ties go to the lower id.
 //
 // Ids     depend on the shapes and poses alone. Resting shapes keep them: a point near a corner has the corner's id.
-//         Near means within 1/64 of the shorter edge, or within 8 LSB if that is more. It is at most 1/4 of that edge.
+//         Near means within 1/64 of the shorter edge or 8 LSB, whichever is more, but at most 1/4 of that edge.
 //
 // Exact   In LSB:
 //           points           within 4 of their shapes, and within 2 of straight across from each other

@@ -33,14 +33,14 @@ typedef struct gjk2_distance_result {
 // out     the caller's.
 // Exact   points, segments, triangles, boxes, polygons and their forms with a convex radius:
 //           separated or not   always
-//           distance           rounded to the nearest LSB, ties up. A gap below 1/2 LSB is 0, without intersecting set
+//           distance           rounded to the nearest LSB, ties up. A gap below 1/2 LSB gives 0 with intersecting false
 //           points             each within 1 LSB of its shape; their gap is within 2 LSB of distance
 //           normal             within 2^-28
 //         Ties: where edges are parallel, the points divide the whole shared edge of A - B. They lie in the same
 //         proportion on both edges.
 //         Ellipse: distance and points within 2 LSB of the exact surface.
 //         Centres more than 16384 units apart:
-//           distance           within 2^-28 of itself, or 2^-27 for curved shapes
+//           distance           within 2^-28 of its value, or 2^-27 for curved shapes
 //           points             within 2^-27 of the distance; the gap along the normal is distance, to 2^-27
 // Cost    at most GJK2_ITERATIONS_OF(n, m) iterations, or GJK_ITERATIONS_MAX with a curved shape (gjk2/format.h).
 //         Stack: `make sizes`.
@@ -48,7 +48,7 @@ typedef struct gjk2_distance_result {
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything, points and normal unless intersecting. The certificate has what its proof uses.
+// OK                   everything, points and normal unless intersecting; in the certificate, only what its proof uses.
 // ITERATION_LIMIT      everything, as in gjk2_distance_until: 0 <= lower <= gap <= upper. lower above 0 proves that the
 //                      shapes are apart. Only ellipse and custom can cause it.
 // NULL, UNINITIALISED  nothing.
@@ -63,8 +63,8 @@ typedef struct gjk2_effort {
 // As gjk2_distance, but stops when the effort is spent, and reports what is proven by then:
 //
 // lower, upper      inclusive bounds of the gap. They are equal if the answer is exact, as in gjk2_distance.
-// distance          that of point_a and point_b, to the nearest LSB; upper is the same rounded up. Centres more than
-//                   16384 units apart: upper.
+// distance          from point_a to point_b, to the nearest LSB; upper is the same, rounded up. With centres more than
+//                   16384 units apart, it is upper.
 // point_a, point_b  points of the shapes, as accurate as in gjk2_distance, and distance apart to within 2 LSB. Not set
 //                   when intersecting.
 // normal            a direction from A to B.
@@ -74,10 +74,10 @@ typedef struct gjk2_effort {
 // effort   read only; error at least 0 (GJK_ERROR_NEGATIVE).
 // cache    out, the caller's; NULL = none. It is not read, so that the result does not depend on it. Written if the
 //          answer is exact.
-// Cost     an iteration takes about a third more than one of gjk2_distance, for the bounds.
+// Cost     an iteration costs about a third more than in gjk2_distance, because it computes the bounds.
 //
 // OK                             everything, as above.
-// ITERATION_LIMIT                the same: GJK_ITERATIONS_MAX iterations, no fewer set by effort, did not settle it.
+// ITERATION_LIMIT                the same: effort allows GJK_ITERATIONS_MAX iterations, which did not settle it.
 // NULL, UNINITIALISED, NEGATIVE  nothing; out is as it was.
 gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, const gjk2_effort *effort,
                                gjk2_cache *cache, gjk2_distance_result *out);

@@ -42,8 +42,8 @@ gjk_status gjk2_draw_manifold(const gjk2_draw *draw, const gjk2_manifold *manifo
 gjk_status gjk2_draw_ray(const gjk2_draw *draw, const gjk2_vec *from, const gjk2_vec *to,
                          const gjk2_cast_result *result, gjk_q16 length);
 
-// Draws a cast of B against a shape that does not move. It shows B's outline at the start and at rest, or without a hit
-// at the end. It shows the way between both positions, and after a hit that is not inside, point_a and the normal.
+// Draws a cast of B against a shape that does not move. It shows B's outline at the start and where it comes to rest,
+// which without a hit is the end. It shows the way between, and after a hit that is not inside, point_a and the normal.
 //
 // collider  B at the start.
 // Statuses  RANGE: to takes the centre of B out of int32.

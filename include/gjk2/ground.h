@@ -15,12 +15,12 @@
 // Joints   Neighbours meet without a bump, for casts and impacts too: see gjk2_ground_cast.
 // Scenes   A part with such a shape is like any other. Its body may be static or move, may turn, and may have more
 //          parts. Updates, rays, casts, sensors, fast bodies and gjk2_slide see it, by the queries below. Two grounds
-//          never touch. gjk2_scene_query_box and gjk2_scene_query_ray take ground for its box. gjk2_scene_collider
+//          never touch. gjk2_scene_query_box and gjk2_scene_query_ray treat ground as its box. gjk2_scene_collider
 //          refuses it.
 // Saves    hold the index of the shape. Peers need the same ground.
 // Posing   rounds each vertex to the nearest LSB, unless the pose's rotation is the identity. A segment of 1 LSB may
 //          vanish.
-// Hostile  data never make a query read outside of them. A segment beyond the limits below counts as missing.
+// Hostile  data never make a query read beyond them. A segment beyond the limits below counts as missing.
 // Threads  queries only read.
 // Links    a shape of ground links contacts, casts and times of impact; a program without one links none of it.
 #ifndef GJK2_GROUND_H
@@ -63,8 +63,8 @@ typedef struct gjk2_index_box {
   uint16_t lower_x, lower_y, upper_x, upper_y;  // lower rounded down, upper up
 } gjk2_index_box;
 
-// Boxes over runs of 4, 16, 64 and so on segments of a chain: 2.7 bytes a segment. With an index, the time to find near
-// segments does not grow with the chain. gjk2_index_build fills it; as a constant it may be in flash.
+// Boxes over runs of 4, 16, 64 and so on segments of a chain: 2.7 bytes a segment. With an index, the time to find
+// nearby segments does not grow with the chain. gjk2_index_build fills it; as a constant it may be in flash.
 typedef struct gjk2_index {
   const gjk2_index_box *boxes;  // first those of 4 segments each, last the one of all
   uint16_t count;               // number of boxes
@@ -73,7 +73,7 @@ typedef struct gjk2_index {
   gjk2_vec corner;              // the chain's least x and y
 } gjk2_index;
 
-// The most boxes that an index of a chain of so many vertices takes, as a constant.
+// The most boxes that the index of a chain of this many vertices takes, as a constant.
 #define GJK2_INDEX_BOXES(vertices) ((vertices) / 3 + 8)
 
 // A chain. Segment i leads from vertex i to vertex i + 1, and its outside lies to its right. So ground runs from right
@@ -97,9 +97,9 @@ typedef struct gjk2_heights {
 // The height of a vertex that is not there.
 #define GJK2_HOLE INT16_MIN
 
-// The form of a tile. The surface runs from a height at the left side to one at the right side, with the solid below
-// it. Heights are in quarters of the tile, 0 to 4; more counts as 4. Last, the whole tile is turned counterclockwise by
-// turns.
+// The form of a tile. The surface runs from height left at the left side to height right at the right side, above the
+// solid. Heights are in quarters of the tile, 0 to 4; more counts as 4. Finally the whole tile turns counterclockwise
+// by turns.
 typedef struct gjk2_tile {
   uint8_t left, right;  // heights
   uint8_t turns;        // quarter turns, modulo 4: 2 hangs from the ceiling
@@ -116,13 +116,12 @@ typedef struct gjk2_tile {
 #define GJK2_TILE_ONE_WAY(left, right) \
   { (left), (right), 0, true }
 
-// A grid of tiles, which counts as its merged outline. Where solids share a side there is no surface. Surfaces in line
-// are one segment, cut where a multiple of GJK2_TILE_RUN tiles ends.
+// A grid of tiles. Its merged outline is the surface, so there is none where solids share a side. Surfaces in line are
+// one segment, cut at multiples of GJK2_TILE_RUN tiles.
 //
 // cells    the caller's, in flash or RAM. Cell (column, row) is number row columns + column, and begins at x = column
-//          size, y = row size. Each is an index into forms; a larger one is an empty tile.
-// Changes  A cell may be written between updates of a scene. Then gjk2_scene_refilter of each body with the grid tells
-//          the scene.
+//          size, y = row size. Each is an index into forms; an index from form_count on is an empty tile.
+// Changes  A cell may be written between updates of a scene. Then call gjk2_scene_refilter for each body with the grid.
 // Segment  4 cell + side names a segment by the tile where it begins. Sides are named before the tile is turned: 0
 //          below, 1 right, 2 the surface, 3 left.
 typedef struct gjk2_tiles {
@@ -138,7 +137,7 @@ typedef struct gjk2_tiles {
 // The largest tile: 128 units.
 #define GJK2_TILE_SIZE_MAX ((gjk_q16)8388608)
 
-// Make ground and its shape.
+// Makes ground and its shape.
 //
 // data      the caller's, must outlive the shape; not copied. Only the cells of a grid may change later.
 // out       the caller's, must outlive the shape.
@@ -151,7 +150,7 @@ gjk_status gjk2_ground_of_chain(const gjk2_polyline *data, gjk2_ground *out, gjk
 gjk_status gjk2_ground_of_heights(const gjk2_heights *data, gjk2_ground *out, gjk2_shape *shape);
 gjk_status gjk2_ground_of_tiles(const gjk2_tiles *data, gjk2_ground *out, gjk2_shape *shape);
 
-// Makes the index of a chain. The index that the chain may have is not read.
+// Makes the index of a chain. chain->index is not read.
 //
 // boxes     room for capacity boxes; GJK2_INDEX_BOXES(count) is enough.
 // Statuses  NULL, CAPACITY, and those of gjk2_ground_of_chain. Only OK writes anything.

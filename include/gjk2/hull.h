@@ -33,11 +33,11 @@ typedef struct gjk2_hull_simple {
   uint32_t excess;    // bound of the distance from a point of the simple hull to the hull of the points, LSB
 } gjk2_hull_simple;
 
-// Makes a hull of at most so many vertices that encloses the hull of the points, exactly. It removes edges whose
-// neighbours meet near them, the nearest first.
+// Makes a hull of at most a given number of vertices that encloses the hull of the points, exactly. It removes edges
+// whose neighbours meet near them, the nearest first.
 //
 // most      the most vertices, at least GJK2_HULL_SIMPLE_MIN (RANGE).
-// vertices  room for 2 count vertices, all the memory needed; may not be points. The simple hull comes first. It runs
+// vertices  room for 2 count vertices, all the memory needed; must not be points. The simple hull comes first. It runs
 //           counterclockwise from its lowest vertex, or if it is a box from its lower left corner.
 // Exact     every point is inside or on the simple hull; a final test makes sure. If the hull has no more than most
 //           vertices, they are the result, and the excess is 0. The result is the same for any order of the points.

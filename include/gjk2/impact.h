@@ -52,7 +52,7 @@ typedef struct gjk2_impact_result {
 // Exact   lower is proven for the real motion of the real shapes. That covers all rounding of posing, sine and
 //         distance, below 8 LSB for shapes within 4096 units of their origins. So colliders posed before lower may come
 //         up to 8 LSB nearer than the margin. upper is measured. Shapes farther from their origins may need a larger
-//         tolerance. So may ways or turns of which 2^-30 moves a point by more than the tolerance. Without it,
+//         tolerance. So may motions that move a point by more than the tolerance in 2^-30 of the way. Otherwise
 //         ITERATION_LIMIT is possible.
 // Cost    mostly 2 to 6 steps, each a distance of lazy shapes.
 // After   Mirtich 1996, conservative advancement; here on exact distances, with bounds of how far a point may move.

@@ -29,7 +29,7 @@ typedef struct gjk2_decision {
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything. The certificate has what its proof uses.
+// OK                   everything; in the certificate, only what its proof uses.
 // ITERATION_LIMIT      iterations. Only ellipse and custom can cause it.
 // NULL, UNINITIALISED  nothing.
 gjk_status gjk2_intersect(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_decision *out);
@@ -38,7 +38,7 @@ gjk_status gjk2_intersect(const gjk2_collider *a, const gjk2_collider *b, gjk2_c
 //
 // a, b, cache, out  as in gjk2_intersect.
 // distance          Q16.16, at least 0; 0 asks the same as gjk2_intersect.
-// Exact             as in gjk2_intersect. With centres more than 16384 units apart, to 2^-28 of their distance.
+// Exact             as in gjk2_intersect. For centres more than 16384 units apart, to within 2^-28 of that distance.
 // Cost              as in gjk2_intersect; stops as soon as a bound from either side settles the answer.
 // Statuses          as in gjk2_intersect. NEGATIVE: distance is below 0, and nothing is valid in out.
 gjk_status gjk2_within(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, gjk2_cache *cache,

@@ -28,7 +28,7 @@ gjk_status gjk2_joint_init(gjk2_joint *joint, const gjk2_pose *fixed);
 // base      the pose that the first joint stands on; may be one of out.
 // angles    count angles, any, more than a turn included.
 // out       count poses, written only after OK. They are units within GJK2_ROTATION_TOLERANCE, as all calls take them.
-// Errors    against real arithmetic on base, fixed and angles; tests/check/unit/test_plane_math.c holds them.
+// Errors    against real arithmetic on base, fixed and angles; tests/check/unit/test_plane_math.c checks them.
 //             rotation  each joint adds less than 2^-27 radians, and so does the base
 //             position  0.51 LSB per coordinate, and 2^-27 of the sum of k times the length of offset k, counted from 1
 // Statuses  NULL; ROTATION (base); RANGE: at some angles a frame of the chain would leave int32.

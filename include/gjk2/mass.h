@@ -26,8 +26,8 @@ typedef struct gjk2_mass {
 // Kinds     point, segment, box and triangle, rounded or not; ellipse; rounded ellipse if it is a circle. Polygons,
 //           rounded or not, must be as gjk2_polygon_order writes them, convex and counterclockwise, or have at most two
 //           vertices.
-// Exact     triangles and polygons without a radius: area, centre and inertia are correctly rounded, a half up. Others:
-//           area and inertia are within 0.51 square LSB. The centre is exact, but for rounded triangles and polygons
+// Exact     triangles and polygons without a radius: area, centre and inertia are correctly rounded, halves up. Others:
+//           area and inertia are within 0.51 square LSB. The centre is exact, except for rounded triangles and polygons
 //           without symmetry. Theirs is within 2^-36 LSB before it is rounded down.
 // Flat      A shape without area has its mass spread evenly over its length or its one point.
 // Statuses  NULL; those of gjk2_collider_init for the shape. UNSUPPORTED: a custom shape, a polygon that is not as

@@ -1,7 +1,7 @@
 // Vectors of the plane for programs that use the library, and rotations that aim, with the numbers of gjk/number.h.
 //
 // Every input has a defined result: a value beyond the range of its type becomes the end of that range. Errors are
-// against real arithmetic on the same integers; tests/check/unit/test_plane_math.c holds them. gjk2_rotation_apply of
+// against real arithmetic on the same integers; tests/check/unit/test_plane_math.c checks them. gjk2_rotation_apply of
 // gjk2/pose.h rotates a vector. The angle of a vector v from x is gjk_atan2(v.y, v.x).
 #ifndef GJK2_MATH_H
 #define GJK2_MATH_H
@@ -28,7 +28,7 @@ uint32_t gjk2_vec_length(const gjk2_vec *a);
 // a / |a|, Q2.30, within 0.501 LSB. Statuses: NULL; ROTATION (a is zero). Errors leave out as it was.
 gjk_status gjk2_vec_normalize(const gjk2_vec *a, gjk2_unit *out);
 
-// The angle from a to b, counterclockwise, from -pi to pi, within 0.501 LSB. If one is zero, the angle is 0.
+// The angle from a to b, counterclockwise, from -pi to pi, within 0.501 LSB. If either is zero, the angle is 0.
 gjk_angle gjk2_vec_angle(const gjk2_vec *a, const gjk2_vec *b);
 
 // The rotation that takes the direction of from to that of to, within 2.5 LSB of Q2.30.

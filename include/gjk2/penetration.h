@@ -29,14 +29,14 @@ typedef struct gjk2_penetration_result {
 // The depth by which two convex shapes overlap, with its direction and points. It needs no memory from the caller.
 //
 // a, b       posed colliders, read only; may be the same object.
-// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only: it helps to find that the
-//            shapes are apart. Depths start cold. Written after OK and CAPACITY.
+// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only: it speeds up finding shapes
+//            apart. Depths start cold. Written after OK and CAPACITY.
 // out        the caller's.
 // Exact      points, segments, triangles, boxes, polygons and their forms with a convex radius:
 //              depth           the true minimum over all directions, rounded up; lower and upper equal it
-//              normal          B moved by depth normal, each component rounded away from 0, is apart from A or touches
-//                              it. normal is within 2^-28 of the direction of least depth
-//              points          each within 1 LSB of its shape. When B has moved by depth normal, they coincide to
+//              normal          B moved by depth * normal, each component rounded away from 0, is apart from A or
+//                              touches it. normal is within 2^-28 of the direction of least depth
+//              points          each within 1 LSB of its shape. Once B has moved by depth * normal, they coincide to
 //                              within 3 LSB and 2^-28 of depth. Coordinates saturate at the ends of Q16.16
 //            Ellipse: depth within 3 LSB, between bounds at most 6 LSB apart; or CAPACITY.
 // Cost       cores of n and m vertices: each edge of both is measured once. If the vertices are not in order, n passes
@@ -47,11 +47,11 @@ typedef struct gjk2_penetration_result {
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything if intersecting, else intersecting, iterations, certificate; of that what its proof
-//                      uses.
-// CAPACITY             everything; intersecting is true. GJK2_DEPTH_ITERATIONS_MAX have not settled a curved pair.
-//                      depth equals upper, and B moved by it is clear of A. The least depth is at least lower. The
-//                      certificate proves nothing.
+// OK                   everything if intersecting, else intersecting, iterations and certificate; in that, only what
+//                      its proof uses.
+// CAPACITY             everything; intersecting is true. GJK2_DEPTH_ITERATIONS_MAX iterations did not settle a curved
+//                      pair. depth equals upper, and B moved by it is clear of A. The least depth is at least lower.
+//                      The certificate proves nothing.
 // ITERATION_LIMIT      nothing, not even intersecting. Only ellipse and custom can cause it.
 // NULL, UNINITIALISED  nothing.
 gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
@@ -64,7 +64,7 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
 //                     lower = -upper, upper = -lower and intersecting set.
 // Exact, Cost, After  as in gjk2_distance and gjk2_penetration.
 //
-// OK                   everything, points and normal too. The certificate has what its proof uses.
+// OK                   everything, points and normal too; in the certificate, only what its proof uses.
 // CAPACITY             everything, as in gjk2_penetration.
 // ITERATION_LIMIT      lower, upper, iterations. The signed distance lies between lower and upper. lower above 0 proves
 //                      that the shapes are apart, upper below 0 that they overlap.

@@ -5,7 +5,7 @@
 // of an integrator does no harm within the tolerance. Beyond it, a call returns a status.
 //
 // Errors  are against real arithmetic on the same integer input, for every input, and bound every component.
-//         tests/check/unit/test_plane_pose.c holds them.
+//         tests/check/unit/test_plane_pose.c checks them.
 // Outputs are written only when the result is GJK_OK. An output may be the same object as an input of its type.
 // Statuses NULL; ROTATION for a rotation that is not a unit; RANGE where stated.
 // Cost    no loop depends on a value.
@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-// Accepted deviation of c^2 + s^2 from 1, Q2.30: 2^-16.
+// The accepted deviation of c^2 + s^2 from 1, Q2.30: 2^-16.
 #define GJK2_ROTATION_TOLERANCE ((gjk_q30)16384)
 
 // The rotation by any angle, even more than a turn, counterclockwise, within 1 LSB. 0 gives exactly the identity.

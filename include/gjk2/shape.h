@@ -5,7 +5,7 @@
 //
 //     static const gjk2_shape crate = GJK2_BOX(GJK_Q16(0.5), GJK_Q16(0.25));
 //
-// An initialiser names the class of its kind. So a program links the kinds that it mentions, and no others.
+// An initialiser names the class of its kind. So a program links only the kinds that it mentions.
 #ifndef GJK2_SHAPE_H
 #define GJK2_SHAPE_H
 
@@ -27,13 +27,13 @@ extern const gjk2_shape_class gjk2_class_polygon;
 extern const gjk2_shape_class gjk2_class_ellipse;
 extern const gjk2_shape_class gjk2_class_custom;
 
-// The support function of a custom shape. It writes to out a point of the shape that is farthest along direction.
+// The support function of a custom shape. It writes the shape's farthest point along direction to out.
 //
 // user       the shape's user pointer.
 // direction  local frame, not zero, of any length up to 2^31.
-// out        local frame, Q16.16; the local origin on entry. A point farther than size.x from the local origin is
-//            pulled back towards it, onto that bound; a port with asserts stops there. If the point is e LSB from the
-//            true farthest one, decisions and distances are right to within e LSB more.
+// out        local frame, Q16.16; the local origin on entry. If the point is farther than size.x from that origin, it
+//            is pulled back onto this bound. A port with asserts stops instead. If the point is e LSB from the true
+//            farthest one, decisions and distances are right to within e LSB more.
 typedef void gjk2_support_function(const void *user, const gjk2_vec *direction, gjk2_vec *out);
 
 // A shape. The initialisers below set the fields, and gjk2_collider_init checks them.
@@ -79,13 +79,13 @@ typedef struct gjk2_shape {
 #define GJK2_CAPSULE(radius, half) GJK2_ROUNDED_SEGMENT(half, radius)
 // The triangle of three vertices.
 #define GJK2_TRIANGLE(vertices3) GJK2_ROUNDED_TRIANGLE(vertices3, 0)
-// A box about the origin, by half its extents.
+// A box about the origin, given by its half extents.
 #define GJK2_BOX(half_x, half_y) GJK2_ROUNDED_BOX(half_x, half_y, 0)
 // The hull of n vertices.
 #define GJK2_POLYGON(vertices_n, n) GJK2_ROUNDED_POLYGON(vertices_n, n, 0)
-// An ellipse by its radii.
+// An ellipse, given by its radii.
 #define GJK2_ELLIPSE(radius_x, radius_y) GJK2_ROUNDED_ELLIPSE(radius_x, radius_y, 0)
-// A custom shape. bound is a radius about the local origin that the shape stays within.
+// A custom shape. All its points are at most bound away from the local origin.
 #define GJK2_CUSTOM(function, user_pointer, bound) GJK2_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
 
 #ifdef __cplusplus

@@ -124,7 +124,7 @@ inline result<gjk_progress> update(gjk2_scene &scene, span<gjk2_report> reports)
       [&](auto *out) { return gjk2_scene_update(&scene, reports.data(), reports.count32(), out); });
 }
 
-// Calls each(report), which may not change the scene and may not throw.
+// Calls each(report), which must not change the scene and must not throw.
 template <typename Each>
 [[nodiscard]] gjk_status update_each(gjk2_scene &scene, Each each) {
   return gjk2_scene_update_each(

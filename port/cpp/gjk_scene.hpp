@@ -139,7 +139,7 @@ inline result<gjk_progress> update(gjk_scene &scene, span<gjk_report> reports) {
       [&](auto *out) { return gjk_scene_update(&scene, reports.data(), reports.count32(), out); });
 }
 
-// Calls each(report), which may not change the scene and may not throw.
+// Calls each(report), which must not change the scene and must not throw.
 template <typename Each>
 [[nodiscard]] gjk_status update_each(gjk_scene &scene, Each each) {
   return gjk_scene_update_each(

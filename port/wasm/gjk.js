@@ -182,7 +182,7 @@ class Gjk {
     return { normal: r.slice(1, 4), features: r.slice(4, 6), points };
   }
 
-  // B moves in a straight line, until its position is `to`. fraction: of 2^30.
+  // B moves in a straight line to the position `to`. fraction: of 2^30.
   cast(a, b, to, margin = 0) {
     this.check(this.exports.gjk_wasm_cast(a, b, ...to, margin));
     const r = this.report();

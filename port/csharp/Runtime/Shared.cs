@@ -202,7 +202,7 @@ namespace Gjk {
 
         public Status Remove(BodyId body) { return Native.gjk_scene_remove(Data, body); }
 
-        /// <summary>Takes a body to its next pose, and wakes it.</summary>
+        /// <summary>Moves a body to its next pose, and wakes it.</summary>
         public Status Move(BodyId body, Pose pose) { return Native.gjk_scene_move(Data, body, &pose); }
 
         /// <summary>As Move, for a body that does not go on the same way.</summary>

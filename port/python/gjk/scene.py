@@ -357,7 +357,7 @@ class SceneBase:
         do(self._of.remove, self._handle, body)
 
     def move(self, body, pose):
-        """Takes a body to its next pose, and wakes it."""
+        """Moves a body to its next pose, and wakes it."""
         do(self._of.move, self._handle, body, pose)
 
     def teleport(self, body, pose):

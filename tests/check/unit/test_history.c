@@ -1,4 +1,4 @@
-// What must not change an answer: the cache, earlier questions, the way that bodies took, skipped tests, saves. Nor may
+// What must not change an answer: the cache, earlier questions, how the bodies got there, skipped tests, saves. Nor may
 // it where a ceiling on iterations or a small workspace leaves no answer; test_ceilings.sh repeats this test with low
 // ceilings.
 #include <stdlib.h>

@@ -164,8 +164,8 @@ def ellipse(radius_x, radius_y, radius=0):
 def custom(support, bound, radius=0):
     """A shape by its support function: support(direction) is a point of it that is farthest along a Vec.
 
-    bound: a radius about the local origin that the shape stays within. An exception of the function is printed, and the
-    local origin taken.
+    bound: all its points are at most this far from the local origin. If the function raises, the exception is printed,
+    and the local origin taken.
     """
 
     def call(_, direction, out):

@@ -83,7 +83,7 @@ unsafe impl Send for Faces<'_> {}
 unsafe impl Sync for Faces<'_> {}
 
 impl<'a> Faces<'a> {
-    /// corner: the vertices of all faces, one face after the other; end: where in it each face ends.
+    /// corner: the vertex numbers of all faces, face after face; end: where in it each face ends.
     pub fn new(corner: &'a [u16], end: &'a [u16]) -> Result<Faces<'a>, Status> {
         let rises = end.windows(2).all(|two| two[0] <= two[1]);
         let count = u16::try_from(end.len()).map_err(|_| Status::RANGE)?;

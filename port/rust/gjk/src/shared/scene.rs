@@ -158,7 +158,7 @@ impl<'a, const WORDS: usize> Scene<'a, WORDS> {
         done(unsafe { raw::scene_remove(&mut self.handle()?, body) })
     }
 
-    /// Takes a body to its next pose, and wakes it.
+    /// Moves a body to its next pose, and wakes it.
     pub fn set_pose(&mut self, body: BodyId, pose: &Pose) -> Result<(), Status> {
         done(unsafe { raw::scene_move(&mut self.handle()?, body, pose) })
     }
