@@ -1,5 +1,5 @@
-// The ceilings on casts. A build may define lower ones, for tests. They decide answers, so the block of a scene says which
-// ones it was made with.
+// The ceilings on casts. A build may define lower ones, for tests. They affect answers, so a scene's block states those
+// that it was made with.
 #ifndef GJK_SRC_CEILINGS_H
 #define GJK_SRC_CEILINGS_H
 
@@ -11,8 +11,8 @@
 #error "GJK_CAST_ITERATIONS_MAX must be from 1 to 1000"
 #endif
 
-// Rounds of any other cast: measurements of the gap. Polytopes end before it (gjk_advance.c); of a curved pair
-// GJK_ITERATIONS_MAX counts the iterations of all rounds as well.
+// Rounds of any other cast, each a measurement of the gap. Polytopes end before this ceiling (gjk_advance.c). For a
+// curved pair GJK_ITERATIONS_MAX also bounds the iterations of all rounds together.
 #ifndef GJK_ADVANCE_ROUNDS_MAX
 #define GJK_ADVANCE_ROUNDS_MAX 64
 #endif

@@ -4,7 +4,7 @@
 
 #include "gjk/format.h"
 
-// With one argument fixed, the result is one to one in the other one.
+// For a fixed value of one argument, different values of the other one give different results.
 static inline uint64_t gjk_hash_step(uint64_t hash, uint32_t word) {
   hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
   return hash ^ hash >> 32;

@@ -1,7 +1,7 @@
 // Memory without a libc: copying, clearing, alignment.
 //
-// What copies and clears writes through volatile: otherwise the compiler would turn their loops into calls of memcpy and memset,
-// which a freestanding program may not have.
+// Copies and clears write through volatile. Otherwise the compiler would turn their loops into calls of memcpy and
+// memset, which a freestanding program may lack.
 #ifndef GJK_SRC_MEMORY_H
 #define GJK_SRC_MEMORY_H
 
@@ -25,7 +25,7 @@ static inline void gjk_zero(void *to, size_t bytes) {
   }
 }
 
-// How the target aligns a uint32_t is where it puts one after a byte. On AVR that is anywhere.
+// The target's alignment of a uint32_t is the offset at which it places one after a byte. On AVR that is 1.
 typedef struct gjk_word_after_byte {
   unsigned char byte;
   uint32_t word;

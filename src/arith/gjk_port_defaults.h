@@ -1,9 +1,9 @@
 // What the core asks of its surroundings: an assert and a few optional primitives.
 //
 // A port is a header that defines some of the macros below. GJK_PORT_HEADER names it, for example
-// -DGJK_PORT_HEADER='"generic/gjk_port.h"' -Iport. Where no macro names one, a gjk_port.h on the include path is taken
-// by compilers that can look for it. Without a port the defaults below are complete. A port changes speed and what a
-// failed assert does, never an answer. port/README.md is the contract.
+// -DGJK_PORT_HEADER='"generic/gjk_port.h"' -Iport. If no macro names one, compilers that can look for it take a
+// gjk_port.h on the include path. The defaults below are complete, so no port is needed. A port changes only speed and
+// what a failed assert does, never an answer. port/README.md is the contract.
 //
 // This file and gjk_wide.h are the only ones of the core that look at the compiler.
 #ifndef GJK_SRC_PORT_DEFAULTS_H
@@ -29,8 +29,8 @@
 #endif
 #endif
 
-// GJK_SHAPES: the kinds of shapes that a program has. Code that only further kinds reach is left out, and
-// gjk_collider_init refuses these. Default: all.
+// GJK_SHAPES: the kinds of shapes that a program has. Code for kinds beyond these is left out, and gjk_collider_init
+// refuses them. Default: all.
 #ifndef GJK_SHAPES
 #define GJK_SHAPES GJK_SHAPES_ALL
 #endif

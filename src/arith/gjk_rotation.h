@@ -5,8 +5,8 @@
 #include "gjk/pose.h"
 #include "gjk_vector.h"
 
-// *deviation = |q|^2 - 1, exact, Q60, at most 2^44 in size. False, and *deviation not set, beyond
-// GJK_ROTATION_TOLERANCE.
+// *deviation = |q|^2 - 1, exact, Q60, at most 2^44 in size. False beyond GJK_ROTATION_TOLERANCE; then *deviation is not
+// set.
 bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation);
 
 // The four numbers x, y, z, w of the product a b, exact, Q60. Pre: |a| |b| < 2^62, lengths.
@@ -25,17 +25,17 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 // The product of a / |a| and b / |b|, each component within 0.501 LSB, for a and b with these deviations.
 void gjk_quat_multiply(const gjk_quat *a, int64_t off_a, const gjk_quat *b, int64_t off_b, gjk_quat *out);
 
-// unit = v / |v| for a vector v of so many components, at most four, each within 0.501 LSB. False: v is zero.
+// unit = v / |v| for a vector v of `count` components, at most four, each within 0.501 LSB. False: v is zero.
 bool gjk_normalize(const int32_t v[4], int count, gjk_q30 unit[4]);
 
 // *out = v / |v|, likewise.
 bool gjk_axis_normalize(const gjk_vec3 *v, gjk_unit3 *out);
 
 // The rotation matrix of q / |q|, by rows, Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size; the
-// identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
+// identity is exact. False if q is not a unit within GJK_ROTATION_TOLERANCE; then rows is not set.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);
 
-// The same of the components z alone: where the local z axis goes. For builds that know segments and no boxes.
+// The same for the z components alone: where the local z axis goes. For builds that know segments but no boxes.
 bool gjk_rotation_of_z(const gjk_quat *q, gjk_vec3 rows[3]);
 
 // The same, and v rotated without the rounding of the matrix, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within
@@ -49,7 +49,7 @@ gjk_vec3 gjk_rotate(const gjk_vec3 rows[3], const gjk_vec3 *v);
 // The transposed matrix, which is the opposite rotation, times v. Otherwise as gjk_rotate.
 gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v);
 
-// Half an LSB, Q30: what is added to a product before it is shifted.
+// Half an LSB, Q30: added to a product before it is shifted.
 #define GJK_ROTATION_HALF (INT32_C(1) << 29)
 
 // Half an LSB and a fraction in Q8, both in Q30.

@@ -7,7 +7,7 @@
 //        cos r = 1 - h (1 - h/6 (1 - h/15 (1 - h/28 (1 - h/45 (1 - h/66)))))     divisors (k + 1) (2 k + 1), < 2^-41
 //   4. Turn (sine, cosine) by the quarter, and give the sine the sign of the angle.
 //
-// In a header, since the one function of each of its two users takes it in line.
+// This is a header, so that the one function of each of its two users inlines it.
 #ifndef GJK_SRC_SINE_H
 #define GJK_SRC_SINE_H
 
@@ -41,7 +41,7 @@ static inline void gjk_sine_steps(const uint32_t c[2], uint32_t h, uint32_t sum[
 }
 
 // Both series, c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the
-// floors of the last step, one each way, are below 1; c is rounded; of the error of earlier steps at most 1/9 remains.
+// floors of the last step, one each way, are below 1; c is rounded; at most 1/9 of the error of earlier steps remains.
 static inline void gjk_sine_series(const uint32_t c[GJK_SINE_TERMS][2], uint32_t h, uint32_t sum[2]) {
   sum[0] = sum[1] = 0;
 #if GJK_SMALL || !GJK_64_BIT
@@ -77,7 +77,8 @@ static void gjk_sine_cosine(gjk_angle angle, uint64_t turn, gjk_q30 *sine, gjk_q
   const bool below = rest >= eighth;
   // |rest| as a part of an eighth of a turn, Q32; of a negative rest, |rest| less 2^-64 turns.
   const uint32_t part = (uint32_t)((below ? ~rest : rest) >> 29);
-  // |r|, Q32, within 0.9: the middle of all that part was truncated from. The sum is below 2^64 pi / 4 + 2^32.
+  // |r|, Q32, within 0.9: part stands for the middle of all values that truncate to it.
+  // The sum is below 2^64 pi / 4 + 2^32.
   const uint32_t half = UINT32_C(1) << 31;
   const uint32_t r = (uint32_t)((gjk_umul32(part, GJK_EIGHTH_TURN) + GJK_EIGHTH_TURN / 2 + half) >> 32);
   const uint32_t h = gjk_umulh32(r, r);

@@ -1,4 +1,4 @@
-// Heap sort (Williams 1964) of items that the caller alone knows: in place, without recursion, in O(count log count).
+// Heap sort (Williams 1964) of items that only the caller knows: in place, without recursion, in O(count log count).
 //
 // In a heap item i comes after items 2 i + 1 and 2 i + 2, so item 0 is the last in order.
 //
@@ -6,9 +6,9 @@
 // 2. Exchange item 0 with the last item of the heap, which is then in its place. The heap is one item shorter.
 // 3. Let item 0 sink. Go on at 2 until one item is left.
 //
-// The functions are in a header so that compilers see what order they are given, and inline its functions: called
-// through pointers, a query that sorts its hits takes 27 % more instructions. gjk_sort_sink stays out of line, once
-// per file: inlined it makes the library 1,000 bytes larger.
+// The functions are in a header so that compilers see the order and inline its functions. With calls through pointers,
+// a query that sorts its hits takes 27 % more instructions. gjk_sort_sink stays out of line, once per file: inlined it
+// makes the library 1,000 bytes larger.
 #ifndef GJK_SRC_SORT_H
 #define GJK_SRC_SORT_H
 

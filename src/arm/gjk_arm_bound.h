@@ -5,14 +5,15 @@
 #include "gjk_arm_frames.h"
 
 // Sets the edge of an arm: from and to. Bounds each pair's motion, and tells whether values are outside their limits.
-// RANGE: the machine may leave its range; then nothing but link rooms is set.
+// RANGE: the machine may leave its range; then only link rooms are set.
 gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to);
 
 // The same for a single configuration, without the pairs: also checks the arguments of a static question, and sets the
 // frames of number 0.
 gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out);
 
-// Lists the pairs anew with so many obstacles and bodies. False: there is no room for them; nothing is changed.
+// Lists the pairs anew, for these numbers of obstacles and bodies. False: there is no room for them, and nothing is
+// changed.
 bool gjk_arm_list(gjk_arm *arm, uint16_t obstacles, uint16_t bodies);
 
 // By how much a pair bends on a span of 2^-depth of the edge, rounded up, LSB; -1: by more than 2^28.

@@ -5,7 +5,7 @@
 #include "../shape/gjk_shape_class.h"
 #include "gjk/arm.h"
 
-// Fractions of an edge are counted in steps, of which an edge has so many.
+// Fractions of an edge are counted in steps. An edge has this many.
 #define GJK_ARM_STEPS (UINT32_C(1) << GJK_ARM_DEPTH_MAX)
 
 // A step in Q30.
@@ -37,19 +37,20 @@ static inline const gjk_collider *gjk_arm_obstacle(const gjk_arm *arm, const gjk
   return pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : NULL;
 }
 
-// Sets the links' frames, those with number which, to a step of the edge from arm->from to arm->to.
+// Sets the links' frames with number which to a step of the edge from arm->from to arm->to.
 // Pre: gjk_arm_set_edge has found the edge in range; step <= GJK_ARM_STEPS.
 void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which);
 
 // Poses a part's collider at the frames with number which. Pre: as above.
 void gjk_arm_place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out);
 
-// Poses the colliders of a pair, not of a body, at the frames with number which. *part is the part's, *other the one of
-// another part; of an obstacle it is not set, and the result is the obstacle's own. Pre: as above.
+// Poses the colliders of a pair, not of a body, at the frames with number which. *part becomes the part's collider,
+// *other that of another part. For an obstacle *other is not set, and the result is the obstacle's own collider.
+// Pre: as above.
 const gjk_collider *gjk_arm_place(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned which, gjk_collider *part,
                                   gjk_collider *other);
 
-// What a pair is, for results. piece: of a body.
+// Names a pair for results. piece: of its body, if it has one.
 void gjk_arm_name(const gjk_arm_pair *pair, uint32_t piece, gjk_arm_names *out);
 
 #endif

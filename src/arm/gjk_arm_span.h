@@ -12,11 +12,11 @@ typedef struct gjk_arm_view {
   unsigned frame[2];  // the numbers of the frames at the start and at the end; equal: there is no motion
   const gjk_arm_part_room *part;
   const gjk_collider *other;  // S
-  gjk_vec3 axis;              // not 0: S is so far away that directions along this axis alone are looked at
+  gjk_vec3 axis;              // not 0: S is so far away that only directions along this axis are tried
   gjk_vec3 centre[2];         // of P from that of S
-  // The rest is set where it is needed.
+  // The rest is set only where it is needed.
   const gjk_vec3 *rows[2];  // the rotation of P's link
-  gjk_vec3 turned[2][3];    // which is here, where S is a part
+  gjk_vec3 turned[2][3];    // room for it if S is a part
   gjk_vec3 origin[2];       // of P's link, from the centre of S
 } gjk_arm_view;
 
@@ -24,15 +24,15 @@ typedef struct gjk_arm_view {
 void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned start,
                   unsigned end, gjk_arm_view *out);
 
-// The gap of the pair along a unit direction from S to P, at the end where it is smaller, Q30 of an LSB. It is at most
-// the slack above that in real numbers. False: the direction is none that the view may be looked at along.
+// The gap of the pair along a unit direction from S to P, at the end where it is smaller, Q30 of an LSB. It exceeds the
+// gap in real numbers by at most the slack. False: the view does not allow this direction.
 bool gjk_arm_gap(gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap);
 
 typedef enum gjk_arm_found {
   GJK_ARM_APART,  // along *direction the gap is above the one wanted
   GJK_ARM_OPEN,   // no such direction was found
-  GJK_ARM_CLOSE,  // the same, and the places at both ends and between are within near
-  GJK_ARM_MORE    // of a body: not all pieces are looked at yet
+  GJK_ARM_CLOSE,  // the same, and the pair is within near at both ends and between
+  GJK_ARM_MORE    // of a body: some pieces are not tested yet
 } gjk_arm_found;
 
 // *way = a - b. False: a component is not surely below 2^29 in size.
@@ -59,8 +59,8 @@ static inline bool gjk_arm_balls_apart(const gjk_vec3 *a, const gjk_vec3 *b, int
 // gjk_arm_separate would find a direction along which the gap is above that. A "no" may be wrong.
 bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *other, int64_t gap);
 
-// Is a pair surely more than so much apart at the frames with number which? obstacle: as above. A "no" may be wrong: then the
-// pair is to be measured. It costs less than to pose it.
+// Is a pair surely more than this much apart at the frames with number which? obstacle: as above. A "no" may be wrong,
+// so the pair must then be measured. This test costs less than posing.
 bool gjk_arm_surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned which,
                           int64_t most);
 
@@ -78,7 +78,7 @@ typedef struct gjk_arm_search {
 
 // Searches a direction along which the gap is above the one wanted.
 //
-// kept       where to start, or 0; set where a search beyond spheres finds one.
+// kept       where to start, or 0; set if a search beyond spheres finds a direction.
 // direction  if APART: what was found.
 // gap        if APART: the gap along it, Q30.
 gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search, gjk_unit3 *kept, gjk_unit3 *direction,

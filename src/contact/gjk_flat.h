@@ -46,7 +46,7 @@ static inline int64_t gjk_flat_error(gjk_flat_point e) {
 // Puts both polygons on the grid. Pre: corners are less than 2^31 apart; a->direction is a unit vector.
 void gjk_flat_set(gjk_flat *flat, const gjk_polygon *a, const gjk_polygon *b);
 
-// near LSB, square to the direction, as a length on the grid. Pre: near < 2^bits.
+// A length of near LSB, at a right angle to the direction, on the grid. Pre: near < 2^bits.
 static inline uint32_t gjk_flat_near(const gjk_flat *flat, uint32_t near) {
   return (uint32_t)(gjk_umul32(near, flat->size) >> (flat->bits + 2));  // below 2^(bits + 30 - bits - 2)
 }

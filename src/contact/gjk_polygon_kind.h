@@ -7,7 +7,7 @@
 
 // gjk_height_key of (u . direction)^2 for a unit vector u; the direction is 2^30 long.
 //   FACE_KEY    7/8 of 2^60: a face's normal within 20.7 degrees of the direction
-//   LEVEL_KEY   1/8 of 2^60: an edge within 20.7 degrees of level, that is of square to the direction
+//   LEVEL_KEY   1/8 of 2^60: an edge within 20.7 degrees of level, which is at a right angle to the direction
 #define GJK_POLYGON_FACE_KEY (UINT32_C(59) << 16 | 0xC000u)
 #define GJK_POLYGON_LEVEL_KEY (UINT32_C(57) << 16)
 

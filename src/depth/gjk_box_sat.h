@@ -15,9 +15,9 @@ typedef enum gjk_box_sat_answer {
 
 // Finds the facet, or that there is none. APART: it->direction, from A to B, separates them up to its rounding; a
 // search that starts there proves it. Pre: gjk_is_box_pair, it->shift >= 0, no facet is found yet.
-// *number: any; where it is that of the nearest facet's plane, that saves time. Then that number, where it is FACET.
-// *points: must the facet's corners hold the origin's projection? Where not, and a face of a box is nearest, they are any
-// corners in its plane; otherwise *points becomes true.
+// *number: a guess of the number of the nearest facet's plane, where a right guess saves time. FACET sets it to that
+// number. *points: must the facet's corners hold the origin's projection? If not, and a face of a box is nearest, they
+// are any corners in its plane. Otherwise *points becomes true.
 gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points, gjk_facet *facet);
 
 #endif

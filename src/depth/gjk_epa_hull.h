@@ -13,7 +13,7 @@ typedef struct gjk_epa_plane {
   gjk_search_direction direction;
 } gjk_epa_plane;
 
-// The planes of so many faces are kept where memory is plentiful; others are computed again. 0: none are.
+// Where memory is plentiful, the planes of this many faces are kept. Those of other faces are computed again.
 #if GJK_64_BIT
 #define GJK_EPA_PLANES 64
 #else

@@ -56,7 +56,8 @@ int gjk_facet_compare(gjk_facet *best, gjk_iteration *it);
 // bound: the depth of a parallel plane that counts instead of the slots' own; -1: their own counts.
 void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound);
 
-// Makes the corners the feature; where they do not cover the origin's projection, the nearest of their features.
+// Makes the corners the feature. If they do not cover the origin's projection, the nearest of their features becomes
+// the feature.
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it);
 
 #endif

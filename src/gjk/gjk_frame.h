@@ -35,7 +35,7 @@ static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int6
   it->delta.x = gjk_shl32(delta->x, shift);
   it->delta.y = gjk_shl32(delta->y, shift);
   it->delta.z = gjk_shl32(delta->z, shift);
-  // A radius of the reach or more settles the question like the reach, which is below 2^31 in the frame as well.
+  // A radius of at least the reach answers as the reach does, which is below 2^31 in the frame as well.
   it->radius = gjk_shl32(radius < reach ? (int32_t)radius : reach, shift);
 }
 

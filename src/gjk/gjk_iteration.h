@@ -1,5 +1,5 @@
-// The GJK iteration on one pair of colliders. Every query is made of it. The steps are told in gjk_iteration.c, the
-// integers that it computes on in gjk_frame.h.
+// The GJK iteration on one pair of colliders. Every query is built on it. gjk_iteration.c has the steps, gjk_frame.h
+// the integers that they compute on.
 #ifndef GJK_SRC_ITERATION_H
 #define GJK_SRC_ITERATION_H
 
@@ -69,14 +69,15 @@ static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
   return GJK_SHAPES >= GJK_SHAPES_ALL && it->stalls != NULL;
 }
 
-// Does a NEAREST feature of the pair become a canonical one? It does where a cache may have led to another one.
+// Is a NEAREST feature of the pair made canonical? It is if a cache may have led to another feature.
 static inline bool gjk_goal_counts_ties(const gjk_iteration *it, gjk_goal goal) {
   return goal != GJK_GOAL_WITHIN && it->shift >= 0 && !gjk_pair_is_curved(it);
 }
 
 // Starts cold: sets the frame, and no vertex is in the simplex.
 // radius: both convex radii and the distance asked about, Q16.16, not negative.
-// False: the bounding spheres are more than radius apart; tested where SEPARATED answers the goal. Only a, b are set.
+// False: the bounding spheres are more than radius apart, and only a and b are set. Tested only if SEPARATED answers
+// the goal.
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
 
@@ -90,12 +91,12 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
 // Puts the vertex number a of A less the vertex number b of B into the free slot. False: one of them does not exist.
 bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b);
 
-// Iterates until the goal is answered or it->limit is reached; after LIMIT, on from there with a higher limit.
-// cache: where to start from; NULL, or of no use: a cold start.
+// Iterates until the goal is answered or it->limit is reached; after LIMIT, a call with a higher limit goes on.
+// cache: for a warm start; if it is NULL or of no use, the start is cold.
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
 
-// Step 1 by itself, where points and segments have a build to themselves: gjk_iteration_run leaves the cache aside there,
-// which only times of impact gain by. Returns whether the origin lies in the simplex already.
+// Step 1 by itself, for builds with points and segments alone. There gjk_iteration_run ignores the cache, since only
+// times of impact gain by it. Returns whether the origin lies in the simplex already.
 bool gjk_iteration_warm(gjk_iteration *it, const gjk_cache *cache);
 
 // Is the exact distance of the feature at most it->radius? Pre: 1 <= count <= 3.

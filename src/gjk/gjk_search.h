@@ -13,11 +13,11 @@
 // The bound: before the first step 3 a vertex of each shape is marked, and each iteration but the last brings a new
 // mark. So shapes of n and m vertices take at most
 //   GJK_PLAIN_ITERATIONS + n + m - 1   iterations.
-// A shape has GJK_MARKS marks, bits of gjk_iteration.seen. Where it has more vertices, neighbours share a mark; n counts
-// marks then.
+// A shape has GJK_MARKS marks, bits of gjk_iteration.seen. If it has more vertices, neighbours share a mark, and n
+// counts marks.
 //
-// Within step 2 runs another GJK, among the seen vertices, which has no useful bound either. After GJK_RECALLS_MAX of
-// its steps in a query it tries all features instead, which ends.
+// Step 2 runs another GJK among the seen vertices, which has no useful bound either. After GJK_RECALLS_MAX of its steps
+// in a query, step 2 tries all features instead, which ends.
 #ifndef GJK_SRC_SEARCH_H
 #define GJK_SRC_SEARCH_H
 
@@ -39,7 +39,7 @@
 // Two polytopes of any size take fewer iterations.
 #define GJK_SEARCH_ITERATIONS_MAX (GJK_PLAIN_ITERATIONS + 2 * GJK_MARKS)
 
-// More than two features of at most eight vertices have: see gjk_search_any.
+// Eight vertices have fewer features: see gjk_search_any.
 #define GJK_ROUND_ITERATIONS 128
 
 // The ceiling on iterations: polytopes end before it, a curved pair may end there with LIMIT.
@@ -53,19 +53,20 @@ static inline unsigned gjk_search_limit(const gjk_iteration *it) {
 // Steps 1 to 4 until the goal is answered or the iterations of the query reach the limit.
 gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 
-// Where several features hold the nearest point, the search may end at any of them. Makes the simplex one that depends on
-// the pair alone, in all that is read of it but the certificate. Pre: NEAREST; the goal counts ties.
+// If several features hold the nearest point, the search may end at any of them. This replaces the simplex, so that all
+// that is read of it, except for the certificate, depends on the pair alone. Pre: NEAREST; the goal counts ties.
 //
-// The level vertices of a shape are those that are exactly as far along the direction as its vertices in the feature. How
-// many there are beside one of them was counted by the last refinement: its ties, of a box half axes.
+// The level vertices of a shape are those that are exactly as far along the direction as its vertices in the feature.
+// The last refinement has counted those beside the first one: its ties. For a box it counts half axes.
 //   fewer than two ties     The nearest point lies on a vertex or edge, in which no other feature holds it.
-//   two ties, a triangle    It lies in a triangle or parallelogram. All triangles in that have the same normal, and the
-//                           witness points do not depend on which it is.
+//   two ties, a triangle    The point lies in a triangle or parallelogram. All triangles in it have the same normal,
+//                           and the witness points do not depend on which one it is.
 //   two ties, a diagonal    A triangle on either side of the diagonal holds it as well. One of them is taken.
 //   others                  The shapes have parallel edges or faces; or vertices coincide. GJK begins once more, among the
 //                           level vertices alone, from the first one of each shape. The direction is that of a box's level
 //                           face, if there is one.
-// points: are the vertices to be canonical, too? Where not, and the direction is a face's, the search is left out: false.
+// points: must the vertices be canonical too? If not, and the direction is a face's, the search is left out, and the
+// result is false.
 bool gjk_search_canonical(gjk_iteration *it, bool points);
 
 // May several features hold the nearest point?
@@ -79,19 +80,19 @@ static inline bool gjk_search_may_close(const gjk_iteration *it) {
   return it->a->shape->type->close != NULL && it->a->shape->type->close == it->b->shape->type->close;
 }
 
-// Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
+// Does a closed form find the feature? It rounds nothing in exact frames. For WITHIN a separating plane answers sooner.
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
 
-// The search of two points: A - B is one vertex. It takes the iterations that others take.
+// The search for two points, where A - B is one vertex. It counts as many iterations as the other searches.
 gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit);
 
-// Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
-// limit, on from there. cache: where to start from; NULL, or of no use: a cold start. NEAREST: any feature that holds the
-// nearest point.
+// Searches until the goal is answered or the iterations of the query reach the limit. After LIMIT, a call with a higher
+// limit goes on. cache: for a warm start; if it is NULL or of no use, the start is cold. NEAREST: any feature that
+// holds the nearest point.
 //
-// Where all shapes are points and segments, steps 1 to 4 are not needed. A - B of two has four vertices at most, and eight
-// where one is swept (gjk_swept.h). Each iteration but the last finds a feature strictly nearer than all before. Of eight
-// vertices there are 8 + 28 + 56.
+// If all shapes are points and segments, steps 1 to 4 are not needed. A - B of two has four vertices at most, and eight
+// if one is swept (gjk_swept.h). Each iteration but the last finds a feature strictly nearer than all before. Eight
+// vertices have 8 + 28 + 56 features.
 static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
   const unsigned of_polytopes = GJK_SHAPES <= GJK_SHAPES_ROUND ? GJK_ROUND_ITERATIONS : GJK_PLAIN_ITERATIONS;
   const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : of_polytopes;
@@ -120,8 +121,8 @@ static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const
   return outcome;
 }
 
-// The same without a limit, for readers that take any feature for the same. Points and segments then do without the closed
-// form, which no reader but those with a limit needs. In a build for size one copy, in gjk_search.c.
+// The same without a limit, for callers to which all nearest features are the same. Points and segments then do without
+// the closed form, which only callers with a limit need. A build for size has one copy, in gjk_search.c.
 #if GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_BOXES
 gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
 #else
@@ -134,7 +135,7 @@ static inline gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, con
 }
 #endif
 
-// gjk_search_any for what is reported: the canonical feature.
+// gjk_search_any for what is reported, which is the canonical feature.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
   const gjk_outcome outcome = gjk_search_any(it, goal, cache, limit);
   if (gjk_search_has_ties(it, goal, outcome)) {

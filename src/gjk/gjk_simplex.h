@@ -59,11 +59,11 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n);
 // Pre: gjk_simplex_set(s, 3) has been called, with any result; the slots are not in a line.
 unsigned gjk_simplex_beyond(const gjk_simplex *s);
 
-// Does the convex hull of the first n slots contain the origin, 1 <= n <= 4? False also where the slots are degenerate.
+// Does the convex hull of the first n slots contain the origin, 1 <= n <= 4? False also if the slots are degenerate.
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
 
-// The direction from the feature to the origin, rounded. False: it is zero, the origin lies on the vertex or edge. (The
-// origin on a triangle is ENCLOSING in gjk_simplex_add.) Pre: 1 <= count <= 3.
+// The direction from the feature to the origin, rounded. False: it is zero, because the origin lies on the vertex or
+// edge. (The origin on a triangle is ENCLOSING in gjk_simplex_add.) Pre: 1 <= count <= 3.
 bool gjk_simplex_direction(const gjk_simplex *s, gjk_search_direction *out);
 
 // The same direction, exact. It is valid while the simplex stays as it is.
@@ -91,7 +91,7 @@ int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominato
                            unsigned shift, gjk_round_to to);
 
 // The barycentric coordinates of the feature's nearest point, up to a common factor: exact, not negative, their sum below
-// 2^126; in the order of its vertices. Of an edge the third is 0. Pre: 2 <= count <= 3 and the feature is nearest.
+// 2^126; in the order of its vertices. For an edge the third is 0. Pre: 2 <= count <= 3 and the feature is nearest.
 void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]);
 
 // Barycentric coordinates of the feature's nearest point: those of the second and the third vertex; the first has the

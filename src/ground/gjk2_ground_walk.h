@@ -45,7 +45,7 @@ struct gjk2_ground_class {
   void (*neighbours)(const gjk2_ground_walk *walk, gjk2_ground_edge *edge);
 };
 
-// Takes a walk to a pose. NULL, ROTATION, RANGE or OK.
+// Places a walk at a pose. NULL, ROTATION, RANGE or OK.
 gjk_status gjk2_ground_place(const gjk2_ground *ground, const gjk2_pose *pose, gjk2_ground_walk *walk);
 
 // Starts over near a box in the world. Pre: the walk is placed.

@@ -36,7 +36,7 @@ uint16_t gjk_hull_farthest_beyond(const gjk_hull_simple_work *s, const gjk_hull_
 // Sets what is kept of each triangle: its normal and the point that is farthest along it.
 void gjk_hull_look_along(gjk_hull_simple_work *s);
 
-// Step 3: moves all vertices, or step 4: those of them that get nearer. False: a vertex was not found.
+// Step 3: moves all vertices. Step 4, again: moves those that get nearer. False: a vertex was not found.
 bool gjk_hull_move_vertices(gjk_hull_simple_work *s, bool again);
 
 #endif

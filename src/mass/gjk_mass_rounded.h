@@ -4,7 +4,7 @@
 
 #include "gjk_moments.h"
 
-// What Steiner's formula sums up, as gjk_mass_rounded.c says.
+// The sums of Steiner's formula (gjk_mass_rounded.c).
 typedef struct gjk_round_sums {
   gjk_moments solid;                  // of tetrahedra, whole numbers
   gjk_moments faces, edges, corners;  // Q80
@@ -13,8 +13,8 @@ typedef struct gjk_round_sums {
 
 void gjk_round_start(gjk_round_sums *sums, const gjk_vec3 *origin);
 
-// Writes the mass properties for a radius. of_pi: all sums are to be multiplied by pi. Pre: radius > 0.
-// False: the sums are of no body.
+// Writes the mass properties for a radius. of_pi: all sums are to be multiplied by pi. Pre: radius > 0. False: no body
+// has these sums.
 bool gjk_round_finish(gjk_round_sums *sums, int32_t radius, bool of_pi, gjk_mass *out);
 
 // The hull of vertices with these faces. RANGE: the faces are not sound.

@@ -9,7 +9,7 @@
 //     = (k^2 S M - k (k + 1) F F') / (k^3 (k + 1) S^2)
 // The inertia about x is C.yy + C.zz, the product of inertia of y and z -C.yz.
 //
-// Vertices are taken from one of them, so that their components are at most 2^29 in size. Bounds, in bits of size:
+// Vertices are relative to one of them, so their components are at most 2^29 in size. Bounds, in bits of size:
 //   w            90, of tetrahedra six times the volume. All are within the box of the vertices, so S <= 6 2^87 < 2^90
 //   F            S |s| < 2^90 2^31 = 2^121
 //   M            S (3 2^29)^2 + ... <= 12 2^58 S < 2^152
@@ -22,7 +22,7 @@
 #include "gjk/mass.h"
 
 typedef struct gjk_moments {
-  gjk_vec3 origin;              // which vertices are taken from
+  gjk_vec3 origin;              // vertices are relative to it
   gjk_big weight;               // S
   gjk_big first[3], second[6];  // F; M as xx, yy, zz, yz, zx, xy
 } gjk_moments;
@@ -40,7 +40,7 @@ bool gjk_moments_add_tetrahedron(gjk_moments *m, const gjk_vec3 *const corner[3]
 // Writes the mass properties. Pre: the simplices have k = 2 to 4 vertices; weight > 0.
 void gjk_moments_finish(gjk_moments *m, unsigned k, gjk_mass *out);
 
-// The axis that the normal of a triangle is longest along, or 3 where the triangle degenerates.
+// The axis along which the normal of a triangle is longest, or 3 if the triangle is degenerate.
 unsigned gjk_longest_axis(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c);
 
 // Adds the triangle with its area's projection along an axis as its weight.

@@ -36,14 +36,14 @@ static inline unsigned gjk_mesh_level(uint32_t leaf, unsigned level, uint32_t le
 // The next triangle whose box meets the region, and its corners. False: there is none. A triangle with a corner that is
 // no vertex is left out. Each node is visited at most once.
 //
-// walk->node  the leaf where the next node begins, which is of the highest level that begins there; of a region that moves
-//             the bits of its levels
-// walk->item  the next triangle. Where it begins a leaf, or is the last one's next, another leaf has to be found
+// walk->node  the leaf where the next node begins, which has the highest level that begins there. For a region that
+//             moves, the bits of its levels
+// walk->item  the next triangle. If it begins a leaf, or comes after the last one, another leaf must be found
 bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk, uint32_t *triangle,
                    gjk_vec3 corner[3]);
 
-// The steps from the mesh's lower corner to a coordinate, which is pulled into the mesh's box before. Rounded down, so
-// whoever is below in LSB is not above in steps.
+// The steps from the mesh's lower corner to a coordinate, which is clamped to the mesh's box. They are rounded down, so
+// a lower coordinate never has more steps.
 uint16_t gjk_mesh_step(int32_t x, int32_t lower, int32_t upper, unsigned shift);
 
 void gjk_mesh_steps_of(const gjk_mesh *mesh, const gjk_vec3 *lower, const gjk_vec3 *upper, gjk_mesh_node *out);

@@ -8,7 +8,7 @@
 
 #include "gjk_triangle.h"
 
-// A plane of rounded unit normal is off by up to this at the body, LSB.
+// A plane whose unit normal is rounded is off by up to this at the body, LSB.
 #define GJK_FACE_LEVEL 2
 
 typedef struct gjk_surface_face {
@@ -28,7 +28,7 @@ void gjk_face_find(const gjk_parts_frame *frame, uint32_t number, gjk_surface_fa
 // Sets world and corner. False: the triangle is not as it should be, or far from the body.
 bool gjk_face_turn(const gjk_parts_frame *frame, const gjk_collider *body, gjk_surface_face *f);
 
-// Sets the rest, and turns the face to its other side where the body is there. False: the triangle has no plane, or the body is
+// Sets the rest, and flips the face if the body is on its other side. False: the triangle has no plane, or the body is
 // behind it. Pre: corners are set.
 bool gjk_face_set(const gjk_parts_frame *frame, const gjk_collider *body, gjk_surface_face *f);
 
@@ -39,16 +39,16 @@ bool gjk_face_is_aside(const gjk_collider *body, gjk_q16 margin, const gjk_surfa
 // Does a point, relative to the body's centre, lie over the triangle? Along the plane's direction of 30 bits, exact.
 bool gjk_face_is_over(const gjk_surface_face *f, const gjk_vec3 *point);
 
-// Does the deepest point lie over the triangle but for the rounding of corners? Each is off by less than an LSB, which tilts a
-// triangle of 128 LSB by 1/64. So a point above an edge that is flat but for that may lie over neither side. Pre: the height is
-// at most 2^28 + GJK_FACE_LEVEL.
+// Does the deepest point lie over the triangle, up to the rounding of its corners? Each is off by less than an LSB,
+// which tilts a triangle of 128 LSB by 1/64. So a point above an edge that is flat up to that may lie over neither
+// side. Pre: the height is at most 2^28 + GJK_FACE_LEVEL.
 bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f);
 
 // Does an edge of a body's core, a sum of half axes, that ends at its deepest point pass through the triangle? False proves
 // nothing. Pre: the deepest point lies over the triangle.
 bool gjk_face_is_pierced(const gjk_collider *body, const gjk_surface_face *f);
 
-// Is the body, a sum of half axes, so steep to the plane that it has one deepest point alone?
+// Is the body, a sum of half axes, so tilted against the plane that it has only one deepest point?
 bool gjk_face_is_pointed(const gjk_collider *body, const gjk_surface_face *f);
 
 // The deepest point of the core moved by a length along the normal, in the world.

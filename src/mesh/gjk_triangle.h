@@ -34,11 +34,11 @@ static inline bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 c
          (!region->moves || gjk_triangle_meets_on_way(region, corner));
 }
 
-// The kind of the edge from a to b of the triangle a, b, c, where another triangle has its third corner at w.
+// The kind of the edge from a to b of the triangle a, b, c, if the triangle across it has its third corner at w.
 gjk_mesh_edge gjk_triangle_edge_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, const gjk_vec3 *w);
 
 // The corners of a triangle where they stand in the world: each turned and rounded once, wherever it is used. So triangles
-// that share a corner share its place. False: a coordinate is beyond its range, of data that was never checked.
+// that share a corner share its place. False: a coordinate is out of range, which only unchecked data can cause.
 bool gjk_triangle_turn(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_vec3 world[3]);
 
 // The collider of a triangle in the world. Statuses as gjk_collider_init.
@@ -49,13 +49,13 @@ gjk_status gjk_triangle_place(const gjk_parts_frame *frame, const gjk_vec3 corne
                               gjk_collider *out);
 void gjk_triangle_local(const gjk_vec3 corner[3], gjk_parts_room *room, gjk_parts_local *out);
 
-// The largest distance from the origin of a point of a box, and 4 for rounding; below sqrt(3) 2^31 + 4.
+// The largest distance from the origin of a point of a box, plus 4 for rounding; below sqrt(3) 2^31 + 4.
 uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper);
 
-// How far a box lies from a region: the gaps along the axes together.
+// How far a box lies from a region: the sum of the gaps along the axes.
 int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_region *region);
 
-// What a guess goes by: the gaps, and of equals the distances of the middles, along the axes together.
+// What a guess compares: the sum of the gaps along the axes, and among equals the sum of the distances of the middles.
 int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region);
 
 // What gjk_parts_class.edges returns: the gjk_mesh_edge of each edge, two bits each, and whether there are contacts on both
@@ -63,9 +63,9 @@ int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region
 #define GJK_TRIANGLE_EDGES(a, b, c) ((unsigned)(a) | (unsigned)(b) << 2 | (unsigned)(c) << 4)
 #define GJK_TRIANGLE_EDGE(edges, i) ((edges) >> 2 * (i)&3u)
 
-// The contacts of one triangle of a surface with a body, as gjk_surface_contacts; count 0: none. Of *out all but contacts may
-// be written in any case. cache: of any triangles of the surface with b, or NULL. Pre: margin is 0 to GJK_RADIUS_MAX, most as
-// of gjk_contacts.
+// The contacts of one triangle of a surface with a body, as gjk_surface_contacts; count 0: none. All of *out except for
+// contacts may be written in any case. cache: of any triangles of the surface with b, or NULL. Pre: margin is 0 to
+// GJK_RADIUS_MAX, most as of gjk_contacts.
 gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                             unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out);
 

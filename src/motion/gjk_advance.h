@@ -1,4 +1,4 @@
-// The bracket of the fraction of a cast where shapes are rounded or curved, or a margin is asked about.
+// Brackets the fraction of a cast with a rounded or curved shape, or with a margin.
 #ifndef GJK_SRC_ADVANCE_H
 #define GJK_SRC_ADVANCE_H
 
@@ -15,10 +15,10 @@ typedef enum gjk_advance_answer {
   GJK_ADVANCE_LIMIT  // a ceiling is reached: up to the fraction the gap is above the margin
 } gjk_advance_answer;
 
-// Brackets the fraction of a cast with a convex radius or a margin, or of which a shape is curved.
+// Brackets the fraction of a cast with a convex radius, a margin or a curved shape.
 //
-// out   HIT, START, OPEN, LIMIT: inside, fraction, points, normal, rests, saturated, as gjk_cast has them; of LIMIT the points
-//       and the normal are those of the last round. Always: iterations. All else is the caller's.
+// out   HIT, START, OPEN, LIMIT: inside, fraction, points, normal, rests, saturated, as gjk_cast has them. For LIMIT
+//       the points and the normal are those of the last round. Always: iterations. All else is the caller's.
 gjk_advance_answer gjk_advance(const gjk_collider *a, const gjk_collider *b, const gjk_way *way, gjk_q16 margin,
                                gjk_cast_result *out);
 

@@ -11,7 +11,7 @@ typedef struct gjk_carried {
   uint32_t arm;  // with own: how far the collider's position and centre are from the body's position at most
 } gjk_carried;
 
-// As gjk_time_of_impact; pose_a and pose_b of the result are the bodies'. RANGE: also, where the tolerance does not pay for
+// As gjk_time_of_impact; pose_a and pose_b of the result are the bodies'. RANGE also if the tolerance does not cover
 // the rounding of poses composed with own. Pre: no pointer but own is NULL.
 gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_impact_result *out);
 

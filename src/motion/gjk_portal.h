@@ -1,4 +1,4 @@
-// Where does a line enter A - B? The exact search of casts, for polytopes. The steps are told in gjk_portal.c.
+// Where does a line enter A - B? The exact search of casts, for polytopes. gjk_portal.c has the steps.
 #ifndef GJK_SRC_PORTAL_H
 #define GJK_SRC_PORTAL_H
 
@@ -15,7 +15,7 @@ typedef enum gjk_passage {
 // Searches. Pre: the bounding spheres of the cores meet on the way, as gjk_spheres_part has it; both are polytopes.
 gjk_passage gjk_portal_find(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way);
 
-// Sets n to the normal of the corners' plane, n . t < 0, or where the search looks for the exit n . t > 0.
+// Sets n to the normal of the corners' plane, n . t < 0, or n . t > 0 if the search looks for the exit.
 void gjk_portal_set_plane(gjk_portal *p);
 
 // Rounds n to the direction of support scans. Components of n beyond 2^62 are halved first.

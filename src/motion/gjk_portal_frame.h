@@ -90,7 +90,7 @@ static inline void gjk_portal_place(gjk_portal *p, const gjk_collider *a, const 
 // How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
 #define GJK_LINE_SLACK 1024
 
-// The shift of the pair: both |u| and the part of start across the line are at most the core radii and GJK_LINE_SLACK.
+// The shift of the pair: both |u| and the part of start across the line are at most the core radii plus GJK_LINE_SLACK.
 static inline uint8_t gjk_portal_shift(const gjk_collider *a, const gjk_collider *b) {
   return (uint8_t)(gjk_clz32((uint32_t)(a->core_radius + b->core_radius) + GJK_LINE_SLACK) - 3);
 }

@@ -1,4 +1,4 @@
-// A fraction of a way, exactly: a quotient from 0 to 1, and what it makes of whole numbers.
+// An exact fraction of a way: a quotient from 0 to 1, and its products with integers.
 #ifndef GJK_SRC_QUOTIENT_H
 #define GJK_SRC_QUOTIENT_H
 

@@ -4,8 +4,9 @@
 
 #include "gjk_way.h"
 
-// Are the colliders' bounding spheres more than radius apart on the whole way, for sure? Where it says false, the line of the
-// way passes their centres' difference within the sum of the spheres' radii, radius, and 2^-20 of that and 2^9 LSB.
+// Are the colliders' bounding spheres surely more than radius apart on the whole way? If not, the line of the way
+// passes the difference of the centres within R + 2^-20 R + 2^9 LSB, where R is the sum of the spheres' radii and
+// radius.
 //   radius   added to core radii, LSB; from 0 to below 2^32
 bool gjk_spheres_part(const gjk_collider *a, const gjk_collider *b, const gjk_way *way, int64_t radius);
 

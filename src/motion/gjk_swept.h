@@ -1,7 +1,7 @@
 // A shape swept along a way: the convex hull of its place at the start and at the end.
 //
-// Two shapes come within a distance of each other on the way exactly if one of them and the other, swept along the way of it
-// against the first, are within that distance. Queries answer that as they answer any pair, exactly for polytopes.
+// Two shapes come within a distance of each other on the way exactly if one of them is within that distance of the
+// other, swept along its way against the first. Queries answer that as for any pair, exactly for polytopes.
 #ifndef GJK_SRC_SWEPT_H
 #define GJK_SRC_SWEPT_H
 

@@ -18,7 +18,7 @@ typedef struct gjk_parts_walk {
 typedef struct gjk_parts_frame {
   const gjk_parts *parts;
   gjk_vec3 rows[3];
-  bool is_level;  // the rotation is none
+  bool is_level;  // the rotation is the identity
 } gjk_parts_frame;
 
 // A part in its body's frame, for motions: a shape, and where its pose is; own NULL: at the body's.
@@ -27,15 +27,15 @@ typedef struct gjk_parts_local {
   const gjk_pose *own;
 } gjk_parts_local;
 
-// What edges of a triangle holds besides its edges: there are contacts on both sides.
+// A flag beside the edges of a triangle: there are contacts on both sides.
 #define GJK_TRIANGLE_TWO_SIDED 64u
 
 struct gjk_parts_class {
   // How many parts there are. 0: none.
   uint32_t (*count)(const void *data);
 
-  // How far from the body's origin the points of parts are at most, and the positions of their poses, at any rotation,
-  // rounding included. Body positions nearer than that to an end of int32 are refused, so that place cannot leave it.
+  // Bounds the distance of parts' points, and of the positions of their poses, from the body's origin, at any rotation,
+  // rounding included. Body positions nearer than that to an end of int32 are refused, so place cannot leave it.
   uint32_t (*reach)(const void *data);
 
   // A part that is likely to be near the region. Any number of a part is right; a good one saves work. GJK_PARTS_NONE, for
@@ -43,8 +43,8 @@ struct gjk_parts_class {
   uint32_t (*guess)(const void *data, const gjk_region *region);
 
   // The next part whose box the region meets, each once, in an order that is fixed by data. False: there is none left.
-  // Whether a part is met depends on its own box and the region alone, not on the boxes of groups of parts: a group's box
-  // holds those of its parts.
+  // Whether a part is met depends on its own box and the region alone, since the box of a group holds those of its
+  // parts.
   bool (*next)(const void *data, const gjk_region *region, gjk_parts_walk *walk, uint32_t *number);
 
   // Makes the posed collider of a part. room: for the shape, where the class makes one. Pre: there is a part of this number,
@@ -62,11 +62,11 @@ struct gjk_parts_class {
   gjk_status (*meet)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                      unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out);
 
-  // What is known of a triangle's edges, and its sides: src/mesh/gjk_triangle.h. Of surfaces of triangles; NULL for others.
+  // What is known of a triangle's edges and sides: src/mesh/gjk_triangle.h. For surfaces of triangles; NULL for others.
   unsigned (*edges)(const void *data, uint32_t number);
 };
 
-// Does no part leave int32 where the body's position is this one, at any rotation?
+// With the body at this position, do all parts stay in int32 at any rotation?
 bool gjk_parts_has_room(const gjk_parts *parts, const gjk_vec3 *position);
 
 // The start of every query: checks A, and sets its frame.

@@ -4,8 +4,8 @@
 
 #include "gjk_parts_class.h"
 
-// By how much the boxes of ways are enlarged, LSB: more than by how far two shapes may be apart at a fraction that is
-// reported too early.
+// By how much the boxes of ways are enlarged, LSB. It is more than the gap of two shapes at a fraction that is reported
+// too early.
 //   a cast           2 of gap, 4 of curved shapes; 2^-24 of the margin; a step of the fraction on the longest way: 8
 //   a time of impact GJK_PARTS_EARLY comes on top of its tolerance, for poses between
 #define GJK_PARTS_EARLY 320
@@ -31,9 +31,9 @@ typedef struct gjk_parts_cast_question {
 
 void gjk_parts_first_start(gjk_parts_first *f);
 
-// Asks the parts that may be met before the first one so far. bound: only those that reach their ceiling, which count where
-// they may be met before it; to be done for each B once the first hit of all is known, if any part is limited. Statuses other
-// than OK end the query: RANGE.
+// Asks the parts that may be met before the first one so far. bound: asks only those that reach their ceiling, which
+// count if they may be met before the first hit. Needed for each B once the first hit of all is known, if any part is
+// limited. Statuses other than OK end the query: RANGE.
 gjk_status gjk_parts_first_ask(gjk_parts_first *f, const gjk_parts_frame *frame, const gjk_parts_cast_question *of,
                                bool bound);
 

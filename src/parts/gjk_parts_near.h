@@ -9,7 +9,7 @@
 gjk_status gjk_parts_near(const gjk_parts_frame *frame, const gjk_region *region, const gjk_collider *b,
                           gjk_q16 distance, uint32_t *part, gjk_decision *out);
 
-// Writes the answer: that of a part, or if none was found no.
+// Writes the answer of the part, or no if none was found.
 void gjk_parts_report_near(uint32_t found, const gjk_decision *of_part, gjk_decision *out);
 
 #endif

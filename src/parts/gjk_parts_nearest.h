@@ -19,13 +19,13 @@ typedef struct gjk_parts_nearest {
 void gjk_parts_nearest_start(gjk_parts_nearest *n);
 
 // Asks the parts that may be nearer to B than the nearest so far. of_b: number of B among the parts of its body; else 0.
-// Where a part reaches its ceiling, limited is set. Pre: the region is B's, grown by 0. Other statuses than OK end the
+// If a part reaches its ceiling, limited is set. Pre: the region is B's, grown by 0. Other statuses than OK end the
 // query.
 gjk_status gjk_parts_nearest_ask(gjk_parts_nearest *n, const gjk_parts_frame *frame, gjk_region *region,
                                  const gjk_collider *b, uint32_t of_b);
 
-// Once the nearest part is known: takes the bounds of all parts that reach their ceiling and may be nearer. To be called for
-// each B, if any part is limited.
+// Once the nearest part is known, takes the bounds of all parts that reach their ceiling and may be nearer. Call it for
+// each B if any part is limited.
 gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *frame, gjk_region *region,
                                    const gjk_collider *b);
 

@@ -1,20 +1,20 @@
 // Where a query looks for parts: a box in the frame of a body, which may move along a straight way.
 //
 // 1. Turn the world's box of B into the body's frame. Add a slack for what is rounded there and in the parts' poses.
-// 2. Grow it by the distance asked about. The caller may make that less while it walks.
+// 2. Grow it by the distance asked about. The caller may lower the distance while it walks.
 // 3. On a way, the region is what the box covers up to a fraction. The caller may lower the fraction while it walks.
 //
-// A box is outside if it is apart along an axis of the frame or, on a way, along one across the way and such an axis (the
-// separating axes of a segment and a box). What is outside stays outside as the region is cut, and so does what is in a box
-// that is. So the boxes that a walk meets do not depend on its order: they are those of its region at the end, and others.
+// A box is outside if it is apart along an axis of the frame or, on a way, along an axis across the way and one of the
+// frame's (the separating axes of a segment and a box). What is outside stays outside as the region is cut, and so does
+// all that its box holds. So every walk meets the boxes of its final region, whatever its order, and perhaps others.
 #ifndef GJK_SRC_REGION_H
 #define GJK_SRC_REGION_H
 
 #include "../arith/gjk_vector.h"
 #include "gjk/collider.h"
 
-// In LSB: by how much a part as it is posed in the world may be off, seen from the body, from the part as it is in the
-// body's own frame; per axis, with what the region itself is rounded by.
+// In LSB, per axis: by how much a part posed in the world may be off, seen from the body, from the part in the body's
+// own frame. The rounding of the region itself is included.
 //
 //   posing, in the world and in the frame      3 each: POSE_SLACK of gjk_collider.c
 //   composed position                          4                          gjk_pose_apply
@@ -48,7 +48,7 @@ void gjk_region_start(gjk_region *region, const gjk_vec3 rows[3], const gjk_vec3
 // Sets by how much the box is grown. Pre: 0 <= grow < 2^40; it has not been cut.
 void gjk_region_grow(gjk_region *region, int64_t grow);
 
-// Sets up to which fraction of the way.
+// Sets the fraction up to which the way counts.
 void gjk_region_cut(gjk_region *region, gjk_q30 latest);
 
 bool gjk_region_meets_on_way(const gjk_region *region, const gjk_aabb *box);

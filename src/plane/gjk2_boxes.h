@@ -4,7 +4,7 @@
 
 #include "gjk2_edges.h"
 
-// As of gjk2_nearest_edge; OPEN: it is not found, since two edges are as near or nearly so. Pre: boxes in order, in a near
+// As gjk2_nearest_edge. OPEN: no edge is found, since two are equally near or nearly so. Pre: boxes in order, in a near
 // frame.
 gjk2_lie gjk2_boxes_edge(gjk2_search *s, gjk2_edge *edge);
 

@@ -1,4 +1,4 @@
-// Which feature is reported where several hold the nearest point.
+// Which feature is reported if several hold the nearest point.
 #ifndef GJK2_SRC_CANONICAL_H
 #define GJK2_SRC_CANONICAL_H
 

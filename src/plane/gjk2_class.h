@@ -34,8 +34,8 @@ struct gjk2_search;
 struct gjk2_edge;
 struct gjk2_distance_result;
 
-// Measures a pair of points, segments and boxes without a search: see gjk2_close.h. Only
-// where registers hold 64 bits and code is not chosen for size.
+// Measures a pair of points, segments and boxes without a search: see gjk2_close.h. Only builds for speed with 64-bit
+// registers have it.
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, struct gjk2_distance_result *out);
 #if GJK_64_BIT && !GJK_SMALL
 #define GJK2_TOUCH_AXES gjk2_touch_axes
@@ -65,8 +65,8 @@ struct gjk2_shape_class {
   // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
   bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
 
-  // Of points and segments GJK2_TOUCH_AXES, so that programs without any do not link it; else NULL. Where it is set, a point's
-  // or segment's adjacent leads from one end to the other.
+  // GJK2_TOUCH_AXES for points and segments, so that programs without any do not link it; else NULL. If it is set,
+  // adjacent of a point or segment leads from one end to the other.
   bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, struct gjk2_distance_result *out);
 
   // The queries of ground, which no other query takes; NULL for all other shapes.

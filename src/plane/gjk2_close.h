@@ -5,14 +5,15 @@
 #include "gjk2/distance.h"
 #include "gjk2_search.h"
 
-// What is measured of such a pair. All: as of gjk2_signed_distance. 0: the certificate alone, and whether they intersect.
+// What is measured of such a pair. All flags: as gjk2_signed_distance. 0: only the certificate, and whether they
+// intersect.
 #define GJK2_TOUCH_POINTS 1u  // distance, bounds and points, where the shapes are apart
 #define GJK2_TOUCH_DEPTH \
   2u  // and where they overlap, normal, depth and points: else only that they do, with a distance of 0
 #define GJK2_TOUCH_ALL 3u
 #define GJK2_TOUCH_GAP 4u  // distance, bounds and normal, where the shapes are apart
 
-// Measures the pair; false: it is another one. Elsewhere there is none: see GJK2_TOUCH_AXES.
+// Measures the pair. False: it is no such pair. Other builds lack this function: see GJK2_TOUCH_AXES.
 static inline bool gjk2_touch_without_search(const gjk2_collider *a, const gjk2_collider *b, unsigned parts,
                                              gjk2_distance_result *out) {
 #if GJK_SMALL || !GJK_64_BIT

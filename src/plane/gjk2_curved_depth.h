@@ -7,11 +7,11 @@
 //   2. Support scan across the chord: x is the boundary's farthest point. The line through x is a candidate.
 //   3. If x gains next to nothing, the chord lies in the surface, and its arc is settled. Otherwise go on with the chords
 //      to x and from x.
-//   4. All arcs settled: the least distance of a settled chord is a lower bound. Again with a quarter of the tolerance,
-//      until the bounds are an LSB apart.
+//   4. If all arcs are settled, the least distance of a settled chord is a lower bound. Begin again with a quarter of
+//      the tolerance, until the bounds are an LSB apart.
 //
-// Passes begin anew, so what a pass needs to remember is the ends of the few chords that await their turn. Where there is
-// no room for one it is left out, and found again.
+// Each pass begins anew, so it remembers only the ends of the few chords that await their turn. A chord for which there
+// is no room is left out, and found again.
 #ifndef GJK2_SRC_CURVED_DEPTH_H
 #define GJK2_SRC_CURVED_DEPTH_H
 

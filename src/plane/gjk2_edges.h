@@ -4,7 +4,8 @@
 //   2. The next edge of A - B is the next edge of A or the next edge of -B, whichever turns less; parallel ones make one
 //      edge of both. Signs of cross products decide, exactly.
 //   3. An edge with the origin strictly on its right proves that the cores are apart.
-//   4. Keep the edge whose line is nearest to the origin, exactly. On once round, or both ways until the rest is farther.
+//   4. Keep the edge whose line is nearest to the origin, exactly. Go once round, or both ways until the rest is
+//      farther.
 //
 // A shape's edges are those of the hull of its posed vertices, in whatever order these are (gjk2_hull.h).
 //

@@ -1,7 +1,7 @@
 // How two shapes of the plane meet: what the signed distance, the penetration and the contacts report of it.
 //
-// A meeting is a feature of A - B, whose line is nearest to the origin or holds it off: of cores apart the nearest feature, of
-// cores that intersect the nearest edge. It is measured here. Its points, which not every query needs, are found on demand.
+// A meeting is the nearest feature of A - B if the cores are apart, or its nearest edge if they intersect. gjk2_meet
+// measures it. Its points, which not every query needs, are found on demand.
 #ifndef GJK2_SRC_MEETING_H
 #define GJK2_SRC_MEETING_H
 

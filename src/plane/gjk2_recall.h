@@ -1,4 +1,4 @@
-// The nearest feature of two polygons that a cache names, where it still is the nearest.
+// The nearest feature of two polygons, if a cache names it and it still is the nearest.
 #ifndef GJK2_SRC_RECALL_H
 #define GJK2_SRC_RECALL_H
 

@@ -1,5 +1,5 @@
-// The GJK iteration of the plane on one pair of colliders. Every query is made of it. Its steps and the bound on their
-// number are told in gjk2_search.c.
+// The GJK iteration of the plane on one pair of colliders. Every query is built on it. gjk2_search.c has its steps and
+// the bound on their number.
 //
 // The frame. A vertex w of A - B stands relative to the origin of the question "is 0 in A - B?", in LSB:
 //   centres at most 2^30 apart:   |w| <= 2^30 + 2^29 = 3 2^29, exact
@@ -86,7 +86,7 @@ static inline bool gjk2_frame_is_near(const gjk2_collider *a, const gjk2_collide
 // One coordinate of a vertex in a far frame: (a - b + offset) / 2^far, rounded to the nearest.
 int32_t gjk2_frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far);
 
-// Any direction serves where that between the centres is 0.
+// Any direction serves if that between the centres is 0.
 static inline void gjk2_search_need_direction(gjk2_search *s) {
   if ((s->d.x | s->d.y) == 0) {
     s->d.x = 1;

@@ -4,7 +4,7 @@
 
 #include "gjk2_cast_report.h"
 
-// Where a corner is touched, its circle's direction is tried first: on processors whose registers hold 64 bits.
+// On processors with 64-bit registers, the direction of a touched corner's circle is tried first.
 #if GJK_64_BIT && !GJK_SMALL
 #define GJK2_DIRECT true
 #else
@@ -27,7 +27,7 @@ typedef struct gjk2_advancing {
   bool point;        // A - B is a vertex alone, that of two circles
   bool centred;      // A - B is the same on both sides of the centres' difference
   bool nearest;      // the last gap's feature is exactly the nearest
-  bool open;         // the last distance is but bounded
+  bool open;         // the last distance is only bounded
   bool late;         // polygons: whether the way ends before contact is open
   bool raw;          // the face's direction, from a vertex, has its exact length
   gjk_q30 fraction;  // no contact before
@@ -53,8 +53,9 @@ bool gjk2_face_find(gjk2_advancing *s, gjk_q30 fraction);
 // What that does for a vertex alone, where it is near. False: it is not, or the shapes intersect.
 bool gjk2_face_at_vertex(gjk2_advancing *s);
 
-// Where rounding the place of the fraction has closed a gap of less than an LSB: the face nearest to the exact place, by GJK
-// from the face's first vertex, which is near. At the ceiling, which is not known to be reached, it is another one.
+// For a gap of less than an LSB that rounding the place of the fraction has closed: finds the face nearest to the exact
+// place, by GJK from the face's first vertex, which is near. At the ceiling, which no known case reaches, it is another
+// face.
 void gjk2_face_touch(gjk2_advancing *s);
 
 // Is a place within radius of the face? from: its vertex p. Exact for a radius below 2^29. False: or the place is far from p.

@@ -22,7 +22,7 @@ void gjk2_cast_inside(const gjk2_way *way, const gjk2_distance_result *gap, gjk2
 void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const gjk2_portion *portion,
                    gjk2_cast_result *out);
 
-// A cast of shapes of which one is rounded or curved, or with a margin. early, late: of gjk2_way_may_meet.
+// A cast with a rounded or curved shape, or with a margin. early, late: of gjk2_way_may_meet.
 // Statuses: OK or ITERATION_LIMIT.
 gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out);
 

@@ -28,7 +28,7 @@ typedef struct gjk2_impact {
   bool touched;  // the gap was found without a search, which names the feature alone
 #endif
   bool nearest;   // the search has found the nearest feature of polygons, in a near frame
-  bool open;      // the gap is but bounded, and not along its normal
+  bool open;      // the gap is only bounded, and not along its normal
   int64_t error;  // LSB Q8
   int64_t half;   // the part of the way on which both turn by half a radian together
 } gjk2_impact;

@@ -45,8 +45,8 @@ static inline uint64_t gjk2_scene_centres_squared(const gjk2_scene_part *a, cons
   return gjk_umul32(x, x) + gjk_umul32(y, y);
 }
 
-// The radius of a circle about the centre that a part holds whole, at any rotation; -2^30: none is known, because the
-// centre of a polygon's box may be outside of the polygon.
+// The radius of a circle about the centre that lies inside the part at any rotation. -2^30: none is known, because the
+// centre of a polygon's box may be outside the polygon.
 //
 // A posed half axis of a box is off by less than 5/4 LSB, so a support line comes nearer by less than 10/4.
 static inline int32_t gjk2_scene_inner_radius(const gjk2_shape *shape) {

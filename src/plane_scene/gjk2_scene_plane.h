@@ -33,7 +33,7 @@
 // How many contacts a report has at most.
 #define GJK2_SCENE_CONTACTS GJK2_CONTACTS_MAX
 
-// There are shapes of which parts do not store all that posing sets: gjk2_scene_is_to_pose.
+// Do parts of some shapes lack what posing sets? In the plane they do: gjk2_scene_is_to_pose.
 #define GJK2_SCENE_POSES_AGAIN 1
 
 // The gap at which parts that turn count as touching.
@@ -204,7 +204,7 @@ static inline void gjk2_scene_set_index(gjk2_scene_pair *pair, unsigned place, u
   pair->high[place] = (uint8_t)(index >> 16 & 0xFFu);
 }
 
-// The ends and links of a pair, which of two sides each.
+// The ends and links of a pair, by side.
 static inline uint32_t gjk2_scene_end(const gjk2_scene_pair *pair, unsigned side) {
   return gjk2_scene_index(pair, side);
 }
@@ -376,7 +376,7 @@ static inline void gjk2_scene_grow(gjk2_aabb *box, int32_t margin, const gjk2_ve
   gjk_scene_grow_side(&box->lower.y, &box->upper.y, margin, steps * way->y);
 }
 
-// So far from a point along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
+// The point at a length from another one along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
 static inline gjk2_vec gjk2_scene_ahead(const gjk2_vec *from, const gjk2_unit *n, gjk_q16 length) {
   const int64_t half = INT64_C(1) << 29;
   const gjk2_vec at = {gjk_saturate(from->x + gjk_sar64(gjk_mul32(n->x, length) + half, 30)),

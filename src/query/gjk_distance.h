@@ -15,8 +15,8 @@ static inline int64_t gjk_convex_radii(const gjk_iteration *it) {
   return (int64_t)it->a->shape->convex_radius + it->b->shape->convex_radius;
 }
 
-// Do the cores come within the convex radii of each other? Exact. plane: their distance in the frame, Q30, within
-// GJK_PLANE_ERROR.
+// Are the cores within the sum of the convex radii of each other? Exact. plane: their distance in the frame, Q30,
+// within GJK_PLANE_ERROR.
 // Pre: the feature is nearest.
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);
 
@@ -24,8 +24,8 @@ bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);
 // the feature's.
 int64_t gjk_plane_of(const gjk_iteration *it, gjk_unit3 *normal);
 
-// The feature's distance in LSB, correctly rounded: to the nearest, a tie up, or down. In a far frame that of the rounded
-// vertices. plane: its plane's distance, as of gjk_plane_of.
+// The feature's distance in LSB, correctly rounded: to the nearest, a tie up, or down. In a far frame it is that of the
+// rounded vertices. plane: its plane's distance, as of gjk_plane_of.
 int64_t gjk_feature_distance(const gjk_iteration *it, int64_t plane, gjk_round_to to);
 
 // Bounds of the distance, or of minus the depth, in LSB, that the last iteration of an outcome LIMIT proves.
@@ -51,8 +51,8 @@ typedef enum gjk_distance_detail {
 gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_distance_detail detail, gjk_cache *cache,
                              gjk_distance_result *out);
 
-// gjk_signed_distance. *points: are points and certificate needed? Where not, and boxes overlap with a face or lie apart with
-// one across the normal, they are left out; otherwise they are set, and *points becomes true.
+// gjk_signed_distance. *points: are points and certificate needed? If not, they are left out for boxes that overlap
+// with a face, or lie apart with one across the normal. Otherwise they are set, and *points becomes true.
 gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                      const gjk_workspace *workspace, bool *points, gjk_distance_result *out);
 

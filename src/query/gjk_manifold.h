@@ -1,4 +1,4 @@
-// The steps of gjk_contacts for those who choose the normal themselves.
+// The steps of gjk_contacts, for callers that choose the normal.
 #ifndef GJK_SRC_MANIFOLD_H
 #define GJK_SRC_MANIFOLD_H
 
@@ -9,7 +9,7 @@
 void gjk_manifold_find(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, gjk_candidates *candidates,
                        gjk_manifold *out);
 
-// Steps 4 and 5: sets out's contacts. Of nearest distance and points are used; NULL: step 4 is left out.
+// Steps 4 and 5: sets out's contacts. Uses distance and points of nearest; NULL: step 4 is left out.
 void gjk_manifold_keep(gjk_candidates *candidates, const gjk_distance_result *nearest, unsigned most,
                        gjk_manifold *out);
 

@@ -7,7 +7,7 @@
 #include "gjk/body.h"
 #include "gjk/status.h"
 
-// A function of a header that goes in line, but where GJK_SMALL is 1 as the compiler decides.
+// A function of a header that goes in line. Where GJK_SMALL is 1, the compiler decides.
 #if GJK_SMALL
 #define GJK_SCENE_IN_LINE static inline
 #else
@@ -37,7 +37,7 @@
 
 // gjk_scene_part.state
 #define GJK_SCENE_LIVE 1u
-#define GJK_SCENE_PAIRS_STALE 2u  // pairs may be missing whose enlarged boxes meet, or be there whose boxes do not
+#define GJK_SCENE_PAIRS_STALE 2u  // some pairs whose enlarged boxes meet may be missing, and others may be left
 #define GJK_SCENE_MARK 4u         // has a pair with the part whose pairs are being made
 
 // The body turned since the part was posed: centre, fraction and frame are of an earlier rotation. exact holds the part,

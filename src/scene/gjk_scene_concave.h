@@ -1,4 +1,5 @@
-// Bodies of many parts as parts of a scene: what their class brings along, so that only programs that mention it link it.
+// Bodies of many parts as parts of a scene: what their class brings along, so that only programs that mention the class
+// link it.
 #ifndef GJK_SRC_SCENE_CONCAVE_H
 #define GJK_SRC_SCENE_CONCAVE_H
 
@@ -12,7 +13,7 @@ typedef struct gjk_scene_solid {
   const gjk_pose *pose;          // of a concave part; otherwise not read
 } gjk_scene_solid;
 
-// The queries of a pair, one of which is concave at least. Answers are of a, then of b.
+// The queries of a pair, at least one of which is concave. Answers are of a, then of b.
 struct gjk_scene_concave {
   // Makes a collider of the box, not yet posed. Statuses as gjk_collider_init.
   gjk_status (*bind)(const gjk_shape *shape, gjk_collider *out);
@@ -29,8 +30,8 @@ struct gjk_scene_concave {
                           const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity, unsigned *count);
 
   // Where two first touch on their way, in any order: hit, inside and fraction, and hit, overlap and lower are set. ahead:
-  // only parts count that the other one is in front of at the start. Two concave ones meet nothing then, nor in an impact.
-  // There ahead is the whole ways, of which the motions are a piece; NULL: every part counts.
+  // only parts count that the other one is in front of at the start. Two concave ones then meet nothing,
+  // in an impact too. For an impact ahead holds the whole ways, of which the motions are a piece. NULL: every part counts.
   gjk_status (*way)(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path, bool ahead,
                     gjk_cast_result *out);
   gjk_status (*impact)(const gjk_collider c[2], const gjk_motion motion[2], gjk_q16 margin, const gjk_motion *ahead,

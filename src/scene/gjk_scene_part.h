@@ -54,7 +54,7 @@ typedef struct gjk_scene_step {
 // Sets length and turn of a step. turns: the rotations differ.
 void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *step);
 
-// Is what of a part turns about its body's position within 2^28 per axis?
+// Are the offsets of a part that turn about its body's position within 2^28 per axis?
 static inline bool gjk_scene_part_turns(const gjk_scene_view *v, const gjk_scene_part *part) {
   const uint32_t own_pose = part->own_pose;
   //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
@@ -73,13 +73,14 @@ static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_sce
 // the tree, or leaps. If it has, sets another box and returns true. Pre: gjk_scene_part_carries, or it leaps.
 bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
 
-// Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
+// Stores where a part is, if it is new or has another shape. Nothing bounds its motion then. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
 
 // Does the part's box in the tree hold what it must: exact, grown by the body's margin all round?
 bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p);
 
-// Shrinks the part's box in the tree to the least one, and poses the part for that. The boxes of nodes above it stay as they are, and hold it still.
+// Shrinks the part's box in the tree to the least one, and poses the part for that. The boxes of nodes above it stay as
+// they are, and still hold it.
 void gjk_scene_part_shrink_box(gjk_scene_view *v, uint32_t index);
 
 #endif

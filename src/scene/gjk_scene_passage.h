@@ -1,4 +1,4 @@
-// What of the tree a box meets on a straight way.
+// Which parts in the tree a box meets on a straight way.
 //
 // 1. For each axis, take the reciprocal of the way once. Then a plane's fraction of the way is one product.
 // 2. Each fraction is rounded down, by less than 2^-14 of itself and 2 steps of 2^-30. Where the box leaves, that is
@@ -12,7 +12,7 @@
 
 #include "gjk_scene_tree.h"
 
-// By how much boxes of ways are enlarged: more than by how much a reported fraction may be too early.
+// By how much boxes of ways are enlarged. It is more than a reported fraction may be too early.
 //
 // a cast       2 LSB of gap, 4 with curved shapes; a step of the fraction where the way is long, 4
 // an impact    its tolerance: at most 16 LSB and 2^-23 of the 2^30 LSB that two shapes reach, and rounding of poses
@@ -29,7 +29,7 @@ typedef struct gjk_scene_axis {
   uint32_t scale;        // 2^scale length has its highest bit set
 } gjk_scene_axis;
 
-// As many parts may be known to be near.
+// At most this many parts are known to be near.
 #define GJK_SCENE_NEAR 8
 
 typedef struct gjk_scene_passage {

@@ -11,12 +11,12 @@
 #if GJK_SCENE_AXES == 3
 
 // Queries of a pair. a, b: the parts; NULL: a collider that is no part. on_a, on_b: their posed colliders. Statuses and
-// answers are those of the query of the library that each is named after; of concave parts a decision names no proof.
+// answers are those of the library's query that each is named after. A decision about concave parts names no proof.
 gjk_status gjk_scene_ask_within(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                 const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 distance, gjk_cache *cache,
                                 gjk_decision *out);
 
-// Of a concave part distance, lower and, where it does not intersect, normal are set.
+// For a concave part distance and lower are set, and normal if it does not intersect.
 gjk_status gjk_scene_ask_distance(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                   const gjk_collider *on_a, const gjk_collider *on_b, gjk_cache *cache,
                                   gjk_distance_result *out);
@@ -24,7 +24,7 @@ gjk_status gjk_scene_ask_depth(const gjk_scene_view *v, const gjk_scene_part *a,
                                const gjk_collider *on_a, const gjk_collider *on_b, gjk_cache *cache,
                                gjk_distance_result *out);
 
-// A part that stands is A, and a collider that is no part moves, or a point does.
+// A is a part that stands. A collider that is no part moves, or a point does.
 gjk_status gjk_scene_ask_cast(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
                               const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out);
 gjk_status gjk_scene_ask_ray(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,

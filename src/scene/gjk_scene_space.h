@@ -1,7 +1,7 @@
 // A scene's records in space, and what the code of scenes takes from space: vectors, boxes, rotations, colliders.
 //
-// Scenes of the plane are made of the same source files. Their records and functions of these names are in
-// src/plane_scene; src/README.md tells how.
+// Scenes of the plane have the same source files. src/plane_scene has their records and functions of these names;
+// src/README.md tells how.
 #ifndef GJK_SRC_SCENE_SPACE_H
 #define GJK_SRC_SCENE_SPACE_H
 
@@ -29,7 +29,7 @@
 // How many contacts a report has at most.
 #define GJK_SCENE_CONTACTS 4
 
-// Are there shapes of which parts do not store all that posing sets? Not in space.
+// Do parts of some shapes lack what posing sets? Not in space.
 #define GJK_SCENE_POSES_AGAIN 0
 
 // The gap at which parts that turn count as touching.
@@ -176,7 +176,7 @@ static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bind
   scene->bindings.keeps_manifolds = bindings != NULL && bindings->keeps_manifolds;
 }
 
-// The ends and links of a pair, which of two sides each.
+// The ends and links of a pair, by side.
 static inline uint32_t gjk_scene_end(const gjk_scene_pair *pair, unsigned side) {
   return pair->ends.linked.part[side];
 }
@@ -305,7 +305,7 @@ static inline void gjk_scene_set_zero(gjk_vec3 *v) {
   v->x = v->y = v->z = 0;
 }
 
-// So far from a point along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
+// The point at a length from another one along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
 static inline gjk_vec3 gjk_scene_ahead(const gjk_vec3 *from, const gjk_unit3 *n, gjk_q16 length) {
   const int64_t half = INT64_C(1) << 29;
   const gjk_vec3 at = {gjk_saturate(from->x + gjk_sar64(gjk_mul32(n->x, length) + half, 30)),

@@ -10,7 +10,7 @@
 typedef struct gjk_scene_hits {
   gjk_scene_hit *hits;
   uint32_t capacity, kept, found;
-  const gjk_scene_hit *after;  // what does not come after it is left out; NULL: nothing
+  const gjk_scene_hit *after;  // only hits after it count; NULL: all
 } gjk_scene_hits;
 
 static inline gjk_scene_hit gjk_scene_hit_of(const gjk_scene_view *v, const gjk_scene_part *p, uint32_t fraction) {

@@ -33,8 +33,8 @@ typedef struct gjk_scene_vicinity {
 // Fills in the parts of a vicinity whose box is set.
 void gjk_scene_look_round(const gjk_scene_view *v, const gjk_scene_filter *filter, gjk_scene_vicinity *near);
 
-// As gjk_scene_cast. Where the way stays in the box of near, the tree is not gone through. Pre: arguments that gjk_scene_cast takes;
-// a way and a margin below 2^30.
+// As gjk_scene_cast. If the way stays in the box of near, the tree is not walked. Pre: arguments that gjk_scene_cast
+// takes; a way and a margin below 2^30.
 gjk_status gjk_scene_cast_near(const gjk_scene *scene, const gjk_scene_vicinity *near, const gjk_collider *collider,
                                const gjk_vec3 *to, gjk_q16 margin, const gjk_scene_filter *filter, gjk_scene_hit *hit,
                                gjk_cast_result *result, bool *found);

@@ -57,8 +57,8 @@ static uint64_t gjk_scene_centres_squared(const gjk_scene_part *a, const gjk_sce
   return gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z);
 }
 
-// The radius of a sphere about the centre that a part holds whole, at any rotation; -2^30: none is known, because the
-// centre of a hull's box may be outside of the hull.
+// The radius of a sphere about the centre that lies inside the part at any rotation. -2^30: none is known, because the
+// centre of a hull's box may be outside the hull.
 //
 // A posed half axis of a box is off by less than 5/4 LSB, so a support plane comes nearer by less than 15/4.
 static int32_t gjk_scene_inner_radius(const gjk_shape *shape) {

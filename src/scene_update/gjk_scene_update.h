@@ -1,4 +1,4 @@
-// The steps of an update, which gjk_scene_update.c tells.
+// The steps of an update, as gjk_scene_update.c numbers them.
 #ifndef GJK_SRC_SCENE_UPDATE_H
 #define GJK_SRC_SCENE_UPDATE_H
 
@@ -7,7 +7,7 @@
 // Step 3: fills the queue with the pairs to be tested: those of bodies that moved, or all with retest_all.
 void gjk_scene_fill_queue(gjk_scene_view *v);
 
-// Step 4: tests at most so many pairs of the queue that are not tested yet, in order.
+// Step 4: tests at most this many pairs of the queue that are not tested yet, in order.
 void gjk_scene_test_queue(gjk_scene_view *v, uint32_t tests);
 
 // Steps 5 to 8: replaces the tested queue by the pairs to be reported, in the order of reports.

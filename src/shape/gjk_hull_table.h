@@ -13,8 +13,8 @@
 #include "../arith/gjk_vector.h"
 #include "gjk/shape.h"
 
-// In a cell stand all vertices that reach, along any direction of the cell, at least as far as the farthest one less
-// GJK_TABLE_SLACK LSB times the direction's major component. That many it takes, as gjk_class_table.c shows.
+// A cell lists all vertices that reach, along some direction of the cell, at least as far as the farthest one less
+// GJK_TABLE_SLACK LSB times the direction's major component. gjk_class_table.c shows that this slack is enough.
 #define GJK_TABLE_SLACK 16
 
 // Takes a bit of *rest / major: 0 <= *rest <= major, before and after.

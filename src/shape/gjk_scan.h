@@ -26,10 +26,10 @@ typedef struct gjk_reach {
 } gjk_reach;
 
 #if GJK_VECTORS
-// Vectors are faster from so many vertices on. At least eight.
+// Vectors are faster from this many vertices on. At least eight.
 #define GJK_SCAN_VECTORS_FROM 12
 
-// gjk_scan and gjk_reach_next for so many vertices.
+// gjk_scan and gjk_reach_next for at least that many vertices.
 const gjk_vec3 *gjk_scan_vectors(const gjk_vec3 *first, size_t count, unsigned bits, const gjk_vec3 *d);
 const gjk_vec3 *gjk_reach_next_vectors(gjk_reach *reach);
 #endif

@@ -43,7 +43,7 @@ struct gjk_shape_class {
 
   // Moves *at, the support along d, to a vertex that is farthest along *direction, which d approximates. Returns whether *at has
   // moved, and in direction->ties what is as far. NULL for curved shapes, which have no vertices to choose from.
-  // Of GJK_KIND_VERTICES *at may be any vertex, and where GJK_CONDITIONAL_MOVES of GJK_KIND_AXES as well.
+  // For GJK_KIND_VERTICES *at may be any vertex; with GJK_CONDITIONAL_MOVES also for GJK_KIND_AXES.
   bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at);
 
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
@@ -58,7 +58,7 @@ struct gjk_shape_class {
   // would find. Counts as one iteration. False: a search is needed, and the simplex is empty. NULL for most kinds.
   bool (*close)(struct gjk_iteration *it);
 
-  // Of bodies of many parts, which only a scene takes: src/scene/gjk_scene_concave.h. NULL for all other shapes.
+  // For bodies of many parts, which only a scene takes: src/scene/gjk_scene_concave.h. NULL for all other shapes.
   const struct gjk_scene_concave *concave;
 
   bool buffered;  // a collider may have a buffer for posed vertices
