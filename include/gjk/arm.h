@@ -101,7 +101,7 @@ typedef struct gjk_arm_part_room {
   int32_t half;           // no less than half of the chord, LSB
   int32_t reach;          // distance of the part's farthest point from the link's origin, LSB
   uint8_t slack;          // error of the part's support points, LSB
-  bool scanned;           // the part's support points are vertices of the shape as they are
+  bool scanned;           // the part's support points are the shape's own vertices
 } gjk_arm_part_room;
 
 // Room for a pair in RAM; the library's.
@@ -127,7 +127,7 @@ typedef struct gjk_arm_memory {
 // The most pairs that these numbers of parts and obstacles can have.
 #define GJK_ARM_PAIRS(parts, obstacles) ((parts) * (obstacles) + (parts) * ((parts)-1) / 2)
 
-// How exactly an edge is wanted. Lengths Q16.16.
+// How exactly to decide an edge. Lengths Q16.16.
 typedef struct gjk_arm_setup {
   gjk_q16 margin;      // the gap that must be kept: 0 to GJK_ARM_MARGIN_MAX
   gjk_q16 tolerance;   // a gap of up to margin + tolerance may count as a touch; at least GJK_ARM_TOLERANCE_MIN
@@ -315,8 +315,8 @@ typedef struct gjk_arm_distance_result {
 // most      pairs farther apart than this are skipped, Q16.16, at least 0; GJK_DISTANCE_MAX: none is.
 // out       written after OK and ITERATION_LIMIT. EMPTY: there is no pair, or none within most.
 // Exact     as in gjk_distance, for colliders posed by gjk_pose_compose of the link's pose and the part's pose.
-// Statuses  NULL, UNINITIALISED, NEGATIVE, RANGE (see Range above), EMPTY. ITERATION_LIMIT: a curved pair, which counts
-//           by its lower. A running edge is abandoned.
+// Statuses  NULL, UNINITIALISED, NEGATIVE, RANGE (see Range above), EMPTY. ITERATION_LIMIT: a curved pair reached it,
+//           and counts by its lower. A running edge is abandoned.
 gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out);
 
 // Is any tested pair at most distance apart? *yes says so, and pair is the first such pair; pair may be NULL. In a body

@@ -75,7 +75,7 @@ typedef struct gjk_scene_stats {
   uint32_t bodies, parts;  // currently in the scene
   uint32_t pairs;          // tested or resting
   uint32_t refused;        // boxes that began to meet but make no pair: both static, or filtered by category and mask
-  uint32_t resting;        // neither body moved - asleep, static or still: the last answer stands
+  uint32_t resting;        // neither body moved (asleep, static or still), so the last answer stands
   uint32_t filtered;       // refused by the predicate, or by a changed category or mask
   uint32_t motion;         // the motion since the last test is too small to change its answer
   uint32_t boxes;          // exact boxes are apart. Without curved shapes also: bounding spheres are apart, or spheres

@@ -13,7 +13,7 @@ extern "C" {
 
 // Lengths Q16.16, points in the world frame; coordinates saturate at the ends of Q16.16.
 typedef struct gjk_contact {
-  gjk_vec3 point_a, point_b;  // on the surfaces, one straight across the normal from the other
+  gjk_vec3 point_a, point_b;  // on the surfaces, opposite each other along the normal
   gjk_q16 distance;           // from point_a to point_b along the normal; negative where the shapes overlap
   uint16_t id;  // unique within the manifold and the same from tick to tick while the features stay. The high
                 // byte is the feature id of its point on A, the low byte that on B
@@ -44,9 +44,9 @@ typedef struct gjk_manifold {
 // Faces   Faces of boxes, triangles and hulls, and flat ends of cylinders and cones (as octagons), overlap in a
 //         polygon, seen along the normal. Its corners are the contacts. If a hull has a convex radius, a face counts
 //         only if it is wider than about 6 sqrt(convex radius), both in LSB. Posing tilts narrower ones.
-// Edges   A shape without a face within 20 degrees of the normal touches with an edge. A curved side touches along a
-//         line, if that is level within 20 degrees. Edges that stay across from each other, to 2 LSB, share two points.
-//         So do curved sides if a point between them is within 1/2 LSB of both. Other edges meet where they cross.
+// Edges   A shape without a face within 20 degrees of the normal touches with an edge, a curved side along a line
+//         within 20 degrees of perpendicular. Edges opposite each other all along, to 2 LSB, share two points. So do
+//         curved sides if a point between them is within 1/2 LSB of both. Other edges meet where they cross.
 // Others  All other shapes, such as hulls without faces, meet in the one pair of points of gjk_signed_distance. So do
 //         shapes whose centres are more than 8192 units apart along an axis.
 // Least   The pair of points of gjk_signed_distance is among the contacts whenever it is nearer than the others.
@@ -66,7 +66,7 @@ typedef struct gjk_manifold {
 //         bar 1/10 unit thick by 1.5e-4 (test_contacts_jitter).
 //
 // Exact   The shared polygon is exact, apart from points left out for ids. In LSB:
-//           points           within 4 of their shapes (tests allow 3), and within 2 of straight across from each other
+//           points           within 4 of their shapes (tests allow 3), and within 2 of exactly opposite each other
 //           distance         within 2 of the points' gap along the normal
 //           least distance   within 2 of that of gjk_signed_distance; 6 where most leaves points out
 //         A depth is rounded up, so the distance of the points of gjk_signed_distance is within 3 LSB and 2^-28 of

@@ -27,7 +27,7 @@ typedef struct gjk_motion {
 // Statuses  NULL, RANGE, ROTATION (see gjk/pose.h).
 gjk_status gjk_motion_pose(const gjk_motion *motion, gjk_q30 fraction, gjk_pose *out);
 
-// How exactly an impact is wanted. Lengths Q16.16.
+// How exactly to find an impact. Lengths Q16.16.
 typedef struct gjk_impact_setup {
   gjk_q16 margin;      // the gap at which the shapes count as touching: 0 to GJK_IMPACT_MARGIN_MAX
   gjk_q16 tolerance;   // allowed on top of the margin, at least GJK_IMPACT_TOLERANCE_MIN

@@ -1,9 +1,9 @@
 // Forward kinematics: the poses along a chain of joints, such as an arm or a leg.
 //
-// A chain costs less than a third of the same joints by gjk_quat_from_axis_angle and gjk_pose_compose. Its errors are
-// smaller, because positions are rounded once, and the error of each joint is stated. A branch is a chain of its own,
-// whose base is the pose of the joint before. Joints that turn by angles and joints that turn by rotations are separate
-// chains, too.
+// A chain costs less than a third of the same joints computed by gjk_quat_from_axis_angle and gjk_pose_compose. Its
+// errors are smaller, because positions are rounded once, and the error of each joint is stated. A branch is a chain of
+// its own, whose base is the pose of the joint before. Joints that turn by angles and joints that turn by rotations are
+// separate chains, too.
 //
 //     gjk_joint arm[2];
 //     gjk_joint_init(&arm[0], &shoulder, NULL);  // once; may then be a constant

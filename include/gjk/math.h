@@ -44,7 +44,7 @@ gjk_status gjk_quat_between(const gjk_vec3 *from, const gjk_vec3 *to, gjk_quat *
 // angle is not rounded, so small steps do not drift. Statuses: NULL; ROTATION; RANGE (time), and out is as it was.
 gjk_status gjk_quat_integrate(const gjk_quat *rotation, const gjk_vec3 *velocity, gjk_q30 time, gjk_quat *out);
 
-// The pose and half length of a segment or capsule from p to q, which lies along local z. The half length is rounded to
+// The pose and half length of a segment or capsule from p to q; it lies along local z. The half length is rounded to
 // the nearest; above 16384 units it is within 1.5 LSB. Up to a half length of 4095 units, the ends are within 2 LSB of
 // p and q. Equal points give half length 0 and the identity. Statuses: NULL; RANGE: the half length leaves int32.
 // Errors leave outputs as they were.

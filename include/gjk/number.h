@@ -13,11 +13,11 @@ extern "C" {
 #endif
 
 // The product a b and the quotient a / b, Q16.16, to the nearest; halves go away from zero. a / 0 is the end of the
-// range on a's side, and 0 / 0 is 0. A division is a loop of 31 steps, without the core's divider.
+// range with a's sign, and 0 / 0 is 0. A division is a loop of 31 steps, without the core's divider.
 gjk_q16 gjk_q16_multiply(gjk_q16 a, gjk_q16 b);
 gjk_q16 gjk_q16_divide(gjk_q16 a, gjk_q16 b);
 
-// The square root, Q16.16, to the nearest; of a negative number 0.
+// The square root, Q16.16, to the nearest; 0 for a negative number.
 gjk_q16 gjk_q16_sqrt(gjk_q16 x);
 
 // Sine and cosine of any angle, each within 0.83 LSB of Q2.30.

@@ -25,7 +25,7 @@ typedef struct gjk_epa_horizon {
   uint16_t corner[4], face[4];  // for each edge, the vertex where it begins and the face that stays
 } gjk_epa_horizon;
 
-// A cell of a workspace: one of the three.
+// A cell of a workspace, which holds one of the three.
 typedef union gjk_epa_cell {
   gjk_epa_vertex vertex;    // a vertex
   gjk_epa_face face;        // a face
@@ -98,8 +98,8 @@ typedef struct gjk_penetration_result {
 // OK                   everything if intersecting, else intersecting, iterations and certificate; in that, only what
 //                      its proof uses.
 // CAPACITY             everything; intersecting is true. The workspace is too small, or a curved pair would take more
-//                      than GJK_EPA_CURVED_ITERATIONS_MAX. depth equals upper, and B moved by it is clear of A. The
-//                      least depth is at least lower. The certificate proves nothing.
+//                      than GJK_EPA_CURVED_ITERATIONS_MAX iterations. depth equals upper, and B moved by it is clear of
+//                      A. The least depth is at least lower. The certificate proves nothing.
 // ITERATION_LIMIT      nothing, not even intersecting. Only cylinder, cone, ellipsoid and custom can cause it.
 // NULL, UNINITIALISED  nothing.
 gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,

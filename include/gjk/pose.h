@@ -8,7 +8,7 @@
 //         tests/check/unit/test_pose.c checks them.
 // Outputs are written only when the result is GJK_OK. An output may be the same object as an input of its type.
 // Statuses NULL; ROTATION for a quaternion that is not a unit; RANGE where stated.
-// Cost    no loop depends on a value.
+// Cost    the length of no loop depends on a value.
 #ifndef GJK_POSE_H
 #define GJK_POSE_H
 

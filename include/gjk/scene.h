@@ -199,7 +199,7 @@ typedef struct gjk_body_state {
   uint8_t motion;                 // a gjk_body_motion
 } gjk_body_state;
 
-// What a body is and where.
+// What a body is, and where it is.
 gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state *out);
 
 // The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.

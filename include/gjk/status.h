@@ -24,7 +24,7 @@ typedef enum gjk_status {
   GJK_ERROR_EMPTY = -4,             // a hull without vertices
   GJK_ERROR_CAPACITY = -5,          // a buffer or workspace too small
   GJK_ERROR_OVERLAP = -6,           // a buffer that overlaps what it is made from
-  GJK_ERROR_ROTATION = -7,          // a rotation or direction that is no unit within the tolerance, or of length 0
+  GJK_ERROR_ROTATION = -7,          // a rotation or direction that is not a unit within the tolerance, or has length 0
   GJK_ERROR_RANGE = -8,             // a value outside its stated range, or a centre outside int32
   GJK_ERROR_UNINITIALISED = -9,     // a collider that was never initialised, or never posed
   GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX iterations did not settle it; only curved shapes cause it
@@ -32,7 +32,7 @@ typedef enum gjk_status {
   GJK_ERROR_UNSUPPORTED = -12,      // no exact check exists, a scene does not do it, or the build left it out
   GJK_ERROR_BODY_ID = -13,          // a body id that is stale or was never given, or a slot that is taken
   GJK_ERROR_BUSY = -14,             // a scene in the middle of an update
-  GJK_ERROR_CORRUPT = -15           // a block that is no scene, or is not as it was when it was sealed
+  GJK_ERROR_CORRUPT = -15           // a block that is not a scene, or has changed since it was sealed
 } gjk_status;
 
 // The enumerator's name, for example "GJK_ERROR_NULL"; "GJK_ERROR_UNKNOWN" for any other value.

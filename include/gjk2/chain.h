@@ -87,8 +87,8 @@ typedef struct gjk2_chain_contact {
 //               neighbours' normals more than 20 degrees off, and a joint to normals that reach farther.
 //                 normal    within 2^-28 of that of the segment, or of the direction
 //                 distance  of the deepest point to the nearest LSB; others as in gjk2_contacts
-//                 points    within 4 LSB of the surfaces. A joint's point on the body is straight across from it. It
-//                           lies on the body's surface unless a nearer edge faces no direction of the joint
+//                 points    within 4 LSB of the surfaces. A joint's point on the body is directly opposite it. It lies
+//                           on the body's surface unless a nearer edge faces no direction of the joint
 // Cost          on a Cortex-M3 10 instructions for each segment of the range, and 2,500 to 3,600 for each whose box
 //               meets the body's. A ridge under the body takes 11,700 in all, at most 17,200 (plane_bench.elf). Stack:
 //               1,316 bytes there, or 2,216 by the call graph, which includes curved shapes (`make sizes`).

@@ -13,7 +13,7 @@ extern "C" {
 
 // Lengths Q16.16, points in the world frame; coordinates saturate at the ends of Q16.16.
 typedef struct gjk2_contact {
-  gjk2_vec point_a, point_b;  // on the surfaces, one straight across the normal from the other
+  gjk2_vec point_a, point_b;  // on the surfaces, opposite each other along the normal
   gjk_q16 distance;           // from point_a to point_b along the normal; negative where the shapes overlap
   uint16_t id;  // unique within the manifold and the same from tick to tick while the features stay. The high
                 // byte is the feature id of its point on A, the low byte that on B
@@ -38,8 +38,8 @@ typedef struct gjk2_manifold {
 // out     the caller's.
 //
 // Which points:
-// Edges   An edge of a box, segment, triangle or polygon counts if it is within 20 degrees of straight across the
-//         normal. The contacts are the ends of the stretch along which two such edges lie across from each other.
+// Edges   An edge of a box, segment, triangle or polygon counts if it is within 20 degrees of perpendicular to the
+//         normal. The contacts are the ends of the stretch along which two such edges lie opposite each other.
 // Others  All other shapes meet in the one pair of points of gjk2_signed_distance. So do shapes whose centres are more
 //         than 8192 units apart along an axis.
 // Least   The pair of points of gjk2_signed_distance is among the contacts whenever it is nearer than the others.
@@ -49,7 +49,7 @@ typedef struct gjk2_manifold {
 //         Near means within 1/64 of the shorter edge or 8 LSB, whichever is more, but at most 1/4 of that edge.
 //
 // Exact   In LSB:
-//           points           within 4 of their shapes, and within 2 of straight across from each other
+//           points           within 4 of their shapes, and within 2 of exactly opposite each other
 //           distance         within 2 of the points' gap along the normal
 //           least distance   within 2 of that of gjk2_signed_distance
 //         A depth is rounded up, so the distance of the points of gjk2_signed_distance is within 3 LSB and 2^-28 of

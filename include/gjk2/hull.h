@@ -63,7 +63,7 @@ typedef struct gjk2_hull_report {
   uint16_t vertex;  // the first vertex with the fault; LAYERS, FEW: 0
 } gjk2_hull_report;
 
-// Is an outline convex, counterclockwise, once around, without a vertex to spare?
+// Is an outline convex and counterclockwise, once around, with no superfluous vertex?
 //
 // vertices  count vertices, at most 2 GJK2_RADIUS_MAX apart along an axis (SIZE).
 // Statuses  NULL; EMPTY. OK: out is written, with or without a fault.

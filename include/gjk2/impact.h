@@ -21,7 +21,7 @@ typedef struct gjk2_motion {
 // The pose at a fraction of the way, Q2.30 from 0 to GJK_Q30_ONE (RANGE). ROTATION: see gjk2/pose.h.
 gjk_status gjk2_motion_pose(const gjk2_motion *motion, gjk_q30 fraction, gjk2_pose *out);
 
-// How exactly an impact is wanted.
+// How exactly to find an impact.
 typedef struct gjk2_impact_setup {
   gjk_q16 margin;      // the gap at which the shapes count as touching
   gjk_q16 tolerance;   // allowed on top of the margin, at least GJK2_IMPACT_TOLERANCE_MIN (RANGE)

@@ -40,7 +40,7 @@ gjk_status gjk2_rotation_between(const gjk2_vec *from, const gjk2_vec *to, gjk2_
 // small steps do not drift. Statuses: NULL; ROTATION; RANGE (time), and out is as it was.
 gjk_status gjk2_rotation_integrate(const gjk2_rotation *rotation, gjk_angle velocity, gjk_q30 time, gjk2_rotation *out);
 
-// The pose and half length of a segment or capsule from p to q, which lies along local x. The half length is rounded to
+// The pose and half length of a segment or capsule from p to q; it lies along local x. The half length is rounded to
 // the nearest; above 16384 units it is within 1.5 LSB. Up to a half length of 4095 units, the ends are within 1.5 LSB
 // of p and q. Equal points give half length 0 and the identity. Statuses: NULL; RANGE: the half length leaves int32.
 // Errors leave outputs as they were.

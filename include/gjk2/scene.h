@@ -3,8 +3,8 @@
 // A scene is one block of the caller's memory. The block holds indices instead of pointers, so a plain copy of it is a
 // save, and works at any address. A gjk2_scene is the handle of a block: a small struct with the pointers.
 //
-// All is as in gjk/scene.h, for shapes of gjk2/shape.h, without a workspace. One source serves both, so a statement of
-// that header holds here too. gjk/body.h has ids, kinds, details, events, statistics and hits of both.
+// Everything is as in gjk/scene.h, for shapes of gjk2/shape.h, without a workspace. One source serves both, so a
+// statement of that header holds here too. gjk/body.h has ids, kinds, details, events, statistics and hits of both.
 //
 // A scene's answers depend on its contents alone, so they are the same on every platform. They do not depend on
 // addresses, caches or capacities, nor on how the bodies got there. Bodies may be added to stated slots in any order.
@@ -19,7 +19,7 @@
 //
 // Threads  calls for one scene must not overlap, except for several queries, or several gjk2_scene_test_pairs.
 // Cost     a call that changes one body: O(log bodies + its parts). An update: O(pairs of the bodies that moved).
-// RAM      a block has 292 bytes, and for each of its capacities, beside what a scene of space takes:
+// RAM      a block takes 292 bytes, and these for each unit of capacity (in brackets: in space):
 //            body       44.125 (60.125)
 //            part      116     (184), its node in the tree included
 //            own pose   20     (32)
@@ -205,7 +205,7 @@ typedef struct gjk2_body_state {
   uint8_t motion;                 // a gjk_body_motion
 } gjk2_body_state;
 
-// What a body is and where.
+// What a body is, and where it is.
 gjk_status gjk2_scene_get(const gjk2_scene *scene, gjk_body_id id, gjk2_body_state *out);
 
 // The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.

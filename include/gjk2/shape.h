@@ -52,7 +52,7 @@ typedef struct gjk2_shape {
 
 // Shapes with a convex radius. A polygon is the convex hull of its vertices. They need no order. They may repeat, and
 // may lie in a line or inside. Depths, contacts and bounds are found faster if the vertices are as gjk2_polygon_order
-// writes them, counterclockwise and without any to spare (gjk2/polygon.h). Coordinates are any int32_t within
+// writes them, counterclockwise and with none superfluous (gjk2/polygon.h). Coordinates are any int32_t within
 // GJK2_RADIUS_MAX of the centre of the vertices' bounding box.
 #define GJK2_ROUNDED_POINT(radius) \
   { &gjk2_class_point, 0, 0, 0, GJK2_LENGTHS(0, 0, radius), 0 }

@@ -1,5 +1,5 @@
 // Edges that cross at any angle, however small, touch where they cross: that point is always among the contacts, and the two
-// points of each contact lie straight across the normal from each other.
+// points of each contact lie opposite each other along the normal.
 #include <math.h>
 
 #include "contacts_scene.h"

@@ -145,7 +145,7 @@ static long double along_normal(const gjk_manifold *m, const gjk_contact *c) {
          GJK_Q30_ONE;
 }
 
-// How far one point is from straight across the normal from the other.
+// How far one point is from exactly opposite the other along the normal.
 static long double aside_of(const gjk_manifold *m, const gjk_contact *c) {
   const long double x = (long double)c->point_b.x - c->point_a.x, y = (long double)c->point_b.y - c->point_a.y,
                     z = (long double)c->point_b.z - c->point_a.z, along = along_normal(m, c);

@@ -1,4 +1,4 @@
-// gjk2_contacts: points on the surfaces, straight across from each other, the least distance among them, two where
+// gjk2_contacts: points on the surfaces, opposite each other, the least distance among them, two where
 // edges meet, and ids that hold still.
 #include "plane.h"
 
