@@ -7,19 +7,19 @@
 // and the plane of the nearer one of the two facets across n is at the height
 //   (sum of |n . g_k| over all k  -  |n . delta|) / |n|.
 //
-//   Step 1   Find bounds of all heights (gjk_box_heights.h). A height is surely below 0: APART.
-//   Step 2   In any order: bound the height of a plane well, unless it exceeds a bound of another plane's. The normal of
-//            nearly parallel half axes is scaled up before.
-//   Step 3   Those that may be the least, in the order of their numbers: leave out a plane whose half axes are
-//            parallel, n = 0.
-//   Step 4   Compare with the least so far: by heights along unit normals, and exactly where these cannot tell. A plane that
-//            both half axes of the least so far lie in is the same one. Of equals the first stays. So the plane is the
-//            least by height and number, a function of the pair.
-//   Step 5   All half axes lie in the plane: FLAT. Take a triangle in the facet: the sums whose s_k is the sign of
-//            n . g_k, but for those in the plane.
+//   Step 1   Find bounds of all heights (gjk_box_heights.h). If a height is surely below 0: APART.
+//   Step 2   In any order: bound each plane's height more closely, unless it exceeds a bound of another plane's height.
+//            First scale up the normals of nearly parallel half axes.
+//   Step 3   Take the planes that may be the lowest, in the order of their numbers. Leave out a plane whose half axes
+//            are parallel, n = 0.
+//   Step 4   Compare with the lowest so far: by heights along unit normals, and exactly where these cannot tell. If
+//            both half axes of the lowest so far lie in a plane, it is the same plane. The first of equals stays. So
+//            the plane is the least by height and number, a function of the pair.
+//   Step 5   If all half axes lie in the plane: FLAT. Take a triangle in the facet: the sums whose s_k is the sign of
+//            n . g_k, except for those in the plane.
 //   Step 6   Flip the triangle over the edge that the origin's projection lies beyond, until it holds the projection,
 //            which the nearest facet of all does.
-//   Step 7   The origin lies strictly beyond the plane: APART. Otherwise this is the nearest facet: FACET.
+//   Step 7   If the origin lies strictly beyond the plane: APART. Otherwise this is the nearest facet: FACET.
 //
 // Steps 1 and 2 are for speed alone, and a build for size leaves them out.
 //

@@ -1,17 +1,17 @@
 // EPA: a polytope inside A - B, around the origin, expands until its lowest face is the nearest facet of A - B.
 //
-//   Step 1   Complete the simplex, which holds the origin, to a tetrahedron, by support scans off what it spans.
-//            Nothing lies there: of a vertex or edge TOUCHES; of a triangle FACET, of depth 0.
-//   Step 2   Start the hull from the tetrahedron. There is no room: FULL, with a bound of the depth from one face.
+//   Step 1   Complete the simplex, which holds the origin, to a tetrahedron, by support scans off what it spans. If
+//            nothing lies there: TOUCHES for a vertex or edge, FACET of depth 0 for a triangle.
+//   Step 2   Start the hull from the tetrahedron. If there is no room: FULL, with a bound of the depth from one face.
 //   Then each iteration:
-//   Step 3   Take the lowest face that is not settled, by its height key. There is none, or it cannot be as low as the
-//            candidate: the candidate is the nearest facet. FACET. Of polytopes: where the key does not tell, compare
+//   Step 3   Take the lowest face that is not settled, by its height key. If there is none, or it cannot be as low as
+//            the candidate, the candidate is the nearest facet: FACET. For polytopes, if the key does not tell, compare
 //            their heights exactly. A face that is higher, or as high and no better, is settled without a scan.
-//   Step 4   A curved pair: the bounds of the depth are close: FACET. The limit on iterations is reached: step 8.
+//   Step 4   For a curved pair: if the bounds of the depth are close, FACET. At the limit on iterations go to step 8.
 //   Step 5   Support scan: w is the vertex of A - B farthest along the outward normal of the face.
-//   Step 6   w is not strictly beyond the face (of a curved pair not a quarter of an LSB): the face lies in the surface
-//            of A - B. Settle the face and offer it as a candidate.
-//   Step 7   w is beyond the face: add w to the hull in place of all faces that see it. There is no room: step 8.
+//   Step 6   If w is not strictly beyond the face (for a curved pair, by a quarter of an LSB), the face lies in the
+//            surface of A - B. Settle the face and offer it as a candidate.
+//   Step 7   Otherwise add w to the hull in place of all faces that see it. If there is no room, go to step 8.
 //   Step 8   FULL. The lowest face bounds the depth from below, the support that reached least from above.
 //
 // Each iteration settles a face or adds a vertex, so there are fewer than there are cells.

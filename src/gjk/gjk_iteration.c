@@ -1,23 +1,24 @@
 // GJK on one pair: the loop that every query runs.
 //
-// The simplex holds the feature so far: the vertex, edge or triangle nearest to the origin of the vertices of A - B
-// that were added. Each iteration is one support scan of both shapes.
+// The simplex holds the feature so far: of the vertices of A - B that were added, the vertex, edge or triangle nearest
+// to the origin. Each iteration is one support scan of both shapes.
 //
-//   Step 1   Start: add the cached vertices to the simplex, as far as they still make a feature. Without any, the first
-//            direction is the cached one, or that from A's centre to B's.
+//   Step 1   Start: add the cached vertices to the simplex, as far as they still make a feature. If there are none, the
+//            first direction is the cached one, or that from A's centre to B's.
 //   Then each iteration:
-//   Step 2   Take the search direction d, from the feature to the origin, rounded. It is zero: ENCLOSING.
-//   Step 3   If the goal allows it: the feature is within the radius: NEAR.
+//   Step 2   Take the search direction d, from the feature to the origin, rounded. If d is zero: ENCLOSING.
+//   Step 3   If the goal allows NEAR, and the feature is within the radius: NEAR.
 //   Step 4   Support scan: w is the vertex of A - B farthest along d.
-//   Step 5   If the goal allows it: even w is more than the radius away, along d: SEPARATED.
-//   Step 6   w is a vertex of the feature: skip step 7, w cannot be nearer.
+//   Step 5   If the goal allows SEPARATED, and even w is more than the radius away along d: SEPARATED.
+//   Step 6   If w is a vertex of the feature, skip step 7: w cannot be nearer.
 //   Step 7   Add w if it is strictly nearer to the origin than the feature, along the exact direction. The feature
-//            becomes the nearest one with w. Next iteration; or the origin lies in the simplex: ENCLOSING.
-//   Step 8   No nearer: rounding d may have hidden a nearer vertex. Scan again along the exact direction; add what that
-//            finds as in step 7.
-//   Step 9   Still no nearer: nothing of A - B is nearer than the feature. NEAREST; where the goal is WITHIN and the
+//            becomes the nearest one with w. If the origin lies in the simplex: ENCLOSING. Otherwise the next iteration
+//            begins.
+//   Step 8   If w is no nearer, rounding d may have hidden a nearer vertex. Scan again along the exact direction, and
+//            add what that finds as in step 7.
+//   Step 9   If still nothing is nearer, the feature is the nearest of A - B: NEAREST. If the goal is WITHIN and the
 //            exact distance is at most the radius: NEAR.
-//   Step 10  The limit on iterations is reached: LIMIT. A later call goes on at step 2.
+//   Step 10  If the limit on iterations is reached: LIMIT. A later call goes on at step 2.
 //
 // Each feature is strictly nearer than the last, so none returns, every simplex is non-degenerate, and the loop ends.
 //

@@ -3,12 +3,13 @@
 // GJK forgets vertices that it needs again, so its iterations have no useful bound. Polytopes get one from the steps
 // below. They begin after GJK_PLAIN_ITERATIONS iterations.
 //
-//   Step 1   Mark the vertices of A and of B in the feature as seen. No mark is new: stop, NEAREST (far frames alone).
-//   Step 2   Make the feature the nearest one of all differences, a seen vertex of A less a seen vertex of B.
-//   Step 3   One iteration of GJK looks for a vertex of A - B strictly nearer along the exact direction. There is none:
-//            the feature is nearest.
-//   Step 4   There is one: its vertex of A or of B was not seen, since by step 2 no difference of seen vertices is
-//            nearer. On from step 1.
+//   Step 1   Mark the vertices of A and of B in the feature as seen. If no mark is new, stop: NEAREST (only in far
+//            frames).
+//   Step 2   Make the feature the nearest one over all differences of a seen vertex of A and a seen vertex of B.
+//   Step 3   One iteration of GJK looks for a vertex of A - B strictly nearer along the exact direction. If there is
+//            none, the feature is nearest.
+//   Step 4   If there is one, its vertex of A or of B was not seen, since by step 2 no difference of seen vertices is
+//            nearer. Go on from step 1.
 //
 // The bound: before the first step 3 a vertex of each shape is marked, and each iteration but the last brings a new
 // mark. So shapes of n and m vertices take at most

@@ -1,26 +1,27 @@
 // The contacts of a body with one triangle of a surface, by normals that the surface has there.
 //
-//   1. Set the triangle's plane, seen from the side of the body. A triangle is behind its plane for a body of which more than
-//      half of the height, along the normal, is behind it. There it has no contacts, unless the surface has two sides.
+//   1. Set the triangle's plane, seen from the side of the body. If more than half of the body's height along the
+//      normal is behind the plane, there are no contacts, unless the surface has two sides.
 //   2. Clip triangle and body along the plane's normal. If a deepest point of the body lies over the triangle, and the body
 //      has not come around it, the contacts found are the answer.
 //   3. Otherwise ask for the signed distance, and for the edge or corner with which the triangle meets its normal.
 //   4. The surface has that normal there if every triangle at the edge or corner lies behind the plane across it (the
 //      polar cone of the surface). Then the contacts along it are the answer.
-//   5. If not, and a triangle that is across the normal keeps the body farther out than this one does, that triangle
-//      answers for both. Otherwise the contacts of step 2 stay, if there are any: they have the triangle's own normal.
-//   6. If there are none, a body that touches the triangle, or whose normals are rough since it is curved, may have none at
-//      all: in the groove of a concave edge it lies over neither side. So may one apart, at an edge that is flat but for the
-//      rounding of its corners. Unless it lies over a triangle at that edge or corner, the nearest points of step 3 are taken
-//      with the triangle's normal.
+//   5. If not, and a triangle across the normal keeps the body farther out than this one does, that triangle answers
+//      for both. Otherwise the contacts of step 2 stay, if there are any: they have the triangle's own normal.
+//   6. If there are none, the body may get none from any triangle. A body that touches the triangle, or is curved and
+//      so has rough normals, lies over neither side in the groove of a concave edge. A body apart may lie over neither
+//      side of an edge that is flat up to the rounding of its corners. Unless the body lies over a triangle at that
+//      edge or corner, the nearest points of step 3 are taken with the triangle's normal.
 #include "../arith/gjk_unit.h"
 #include "../query/gjk_manifold.h"
 #include "gjk/intersect.h"
 #include "gjk/mesh.h"
 #include "gjk_surface_face.h"
 
-// A corner so far beyond the plane across a normal, for each LSB of its distance |x| + |y| + |z| and in Q30, counts as in that
-// plane. Normals are reported within 2^-28, and rounded outward; those of curved shapes are rough.
+// A corner that is at most this far beyond the plane across a normal, for each LSB of its distance |x| + |y| + |z| and
+// in Q30, counts as in that plane. Normals are reported within 2^-28, and rounded outward; those of curved shapes are
+// rough.
 #define NORMAL_SLACK 8
 #define NORMAL_SLACK_CURVED (INT32_C(1) << 20)
 

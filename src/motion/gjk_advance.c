@@ -1,15 +1,15 @@
-// The bracket of the fraction where shapes are rounded or curved, or a margin is asked about.
+// Brackets the fraction of a cast if shapes are rounded or curved, or the cast has a margin.
 //
 // The gap along the way is convex, so the plane that touches A - B at one fraction bounds it from below at all of them.
 // The first fraction is where the bounding spheres meet.
 //
 //   Step 1   Measure the gap and its plane at the fraction (gjk_gap.h).
-//   Step 2   Up to where the plane's gap is used up, rounded down, is no contact: that is proven.
-//   Step 3   Stop when the gap there is small. Otherwise on from 1, where the feature itself, with the radius, is reached:
-//            beyond the plane's place, since the feature curves away. Where that goes too far, the proven fraction is next,
-//            from then on.
-//   Step 4   Of a curved pair support points err by an LSB of each curved shape. Steps 1 to 3 take the radius larger by
-//            that. Where it is not sure then that the shapes meet, steps 1 to 3 go on with the radius itself, to decide.
+//   Step 2   There is provably no contact up to where the plane's gap is used up, rounded down.
+//   Step 3   Stop when the gap there is small. Otherwise go on from 1, at the fraction where the way reaches the
+//            feature itself, with the radius. That is beyond the plane's place, since the feature curves away. Once
+//            that goes too far, the proven fraction is always next.
+//   Step 4   Support points of a curved pair err by an LSB for each curved shape, so steps 1 to 3 enlarge the radius by
+//            that. If it is then not sure that the shapes meet, steps 1 to 3 go on with the radius itself, to decide.
 //
 // Rounds from the proven fraction alone are Newton's iteration from below. Each of them makes gap times slope at most a
 // quarter, up to rounding: (gap' / gap) + (slope' / slope) <= 1, since the gap is convex. A gap g that is used up within

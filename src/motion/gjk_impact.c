@@ -1,14 +1,14 @@
 // The time of impact of two shapes that move and turn.
 //
-//   1. Pose both at x and measure their distance. It is at most margin and tolerance, exactly: a hit. The first x is where
-//      the bodies' spheres meet; they don't: a miss.
+//   1. Pose both at x and measure their distance. If it is at most margin plus tolerance, exactly: a hit. The first x
+//      is where the bodies' spheres meet; if they do not: a miss.
 //   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; where those
-//      are two edges it turns as both do, at the rate of x; else it stands still.
-//   3. The next x is where the separation along it is no more proven to be above the margin and the slack of roundings
-//      (gjk_impact_separation.h). At the end of the way: a miss. Otherwise on from 1.
+//      are two edges it turns as the normal across both does at x; else it stands still.
+//   3. The next x is where the separation along it is no longer proven to be above the margin plus the slack of
+//      roundings (gjk_impact_separation.h). At the end of the way: a miss. Otherwise go on from 1.
 //
-// So until x no posed shapes come within the margin. A distance above margin and tolerance is a separation above margin
-// and slack, since the tolerance is larger than the slack: each round gets on.
+// So until x no posed shapes come within the margin. A distance above margin plus tolerance is a separation above
+// margin plus slack, since the tolerance is larger than the slack. So each round advances.
 //
 // The slack, by body, from the shapes as posed at x by their motion in real numbers to those posed at any later
 // fraction, along any direction; lengths in LSB, with r for the distance of the farthest point, convex radius included,

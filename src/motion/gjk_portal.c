@@ -1,24 +1,25 @@
 // Where a line enters A - B, by exact signs alone.
 //
-//   Step 1   A support scan towards the line from the centres and, as much, towards the way's start. The vertex found is the
-//            apex: the way enters near it, mostly.
+//   Step 1   A support scan towards the line, as seen from the centres, and equally towards the way's start. The vertex
+//            found is the apex: the way mostly enters near it.
 //   Step 2   Look for a vertex beyond the line from there, and then for a portal: two vertices such that, seen along the
-//            line, the ray from the apex towards the line passes between them. Move the portal outwards until the line lies
-//            in its triangle with the apex. All of A - B lies on one side of the line: BESIDE.
-//   Step 3   Then the line passes through the triangle: that is a point of A - B. Take the triangle's plane, with the normal
-//            towards the way's start. The start lies on the plane: INSIDE.
-//   Step 4   Support scan along the normal. All of A - B lies behind both ends of the way: SHORT.
-//   Step 5   The vertex is strictly beyond the plane: put it in the place of one corner, so that the line still passes
-//            through the triangle. The plane has passed the start: INSIDE. On from step 4.
-//   Step 6   None is: the plane bounds A - B. FACET.
+//            line, the ray from the apex towards the line passes between them. Move the portal outwards until the line
+//            lies in its triangle with the apex. If all of A - B lies on one side of the line: BESIDE.
+//   Step 3   Now the line passes through the triangle, at a point of A - B. Take the triangle's plane, with the normal
+//            towards the way's start. If the start lies on the plane: INSIDE.
+//   Step 4   Support scan along the normal. If all of A - B lies behind both ends of the way: SHORT.
+//   Step 5   If the vertex is strictly beyond the plane, put it in the place of one corner, so that the line still
+//            passes through the triangle. If the plane has passed the start: INSIDE. Go on from step 4.
+//   Step 6   If no vertex is, the plane bounds A - B: FACET.
 //
-// Ties are the rule in games: a line through an edge or a corner, or along a face. Steps 4 to 6 decide them as if the line
-// were moved by e w_i + e^2 w_j, for an e smaller than any number, where w_i and w_j are vertices of the first triangle,
-// chosen so that it moves into the triangle. Then no sign is 0, each step strictly lowers where the moved line meets the
-// plane, and no triangle returns. The plane that bounds A - B where the moved line enters also does where the line does.
+// Ties are common in games: a line through an edge or a corner, or along a face. Steps 4 to 6 decide them as if the
+// line were moved by e w_i + e^2 w_j, for an e smaller than any number, where w_i and w_j are vertices of the first
+// triangle, chosen so that it moves into the triangle. Then no sign is 0, each step strictly lowers where the moved
+// line meets the plane, and no triangle returns. The plane that bounds A - B where the moved line enters also does
+// where the line does.
 //
-// A - B may have no area as seen along the line. Then the line's point lies on an edge or a vertex, and the same steps take
-// two or one corner.
+// A - B may have no area as seen along the line. Then the line's point lies on an edge or a vertex, and the same steps
+// work with two corners or one.
 //
 // After   Snethen 2008, portals; van den Bergen 2004, ray casts by GJK. In other words it is the simplex method for "least s
 //         such that s t is in A - B", with columns found by support scans and ties broken in lexicographic order.

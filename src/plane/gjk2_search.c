@@ -5,12 +5,12 @@
 //
 //   1. Take the direction d from the feature to O: an integer vector, exact. If it is 0, the origin is a vertex.
 //   2. Where a distance is asked about: stop if the feature is within it, exactly.
-//   3. Support scan_both: x is the vertex of A - B farthest along d.
+//   3. Support scan of both shapes: x is the vertex of A - B farthest along d.
 //   4. For a yes or no: stop if the line through x across d separates O from A - B.
 //   5. If x is not strictly beyond the feature along d, the feature is the nearest of A - B.
 //   6. Find between which two neighbours in hand x lies: P and Q, counterclockwise P, x, Q.
 //   7. The new feature is the edge P x, the edge x Q or the vertex x, by the signs of O's sides and feet. If O lies in
-//      the triangle, the shapes overlap. On from 1.
+//      the triangle, the shapes overlap. Otherwise go on from 1.
 //
 // Why step 6 is enough. All vertices in hand lie on the boundary of A - B, and the nearest point f lies on the open arc
 // between first and last, on O's side:
@@ -23,9 +23,9 @@
 // are at most as many x as A - B has corners, which is at most n + m for polygons of n and m vertices. One more
 // iteration finds no x, and one may be spent on what the cache holds:  n + m + 2 < GJK2_ITERATIONS_OF(n, m).
 //
-// The walk. Where the vertices of both shapes are in order, or of one that meets a point or segment, the first x is followed by a walk along the boundary of A - B
-// instead. Its next edge is the next one of A or of -B, whichever turns less. It goes on while the next vertex is nearer
-// to O, and ends
+// The walk. If the vertices of both shapes are in order, or those of one that meets a point or segment, a walk along
+// the boundary of A - B follows the first x instead. Its next edge is the next one of A or of -B, whichever turns less.
+// It goes on while the next vertex is nearer to O, and ends
 //   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
 //   at a vertex from which neither edge leads nearer: all of A - B lies between them, so it is the nearest
 //   where O does not lie strictly right of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
