@@ -11,7 +11,7 @@
 // and casts call gjk_parts_cast_ray and gjk_parts_cast. So no answer depends on the tree, caches or skips.
 //
 // Saves    hold the index of the shape, as for any shape. Lockstep peers need the same meshes.
-// Boxes    gjk_scene_query_box and gjk_scene_query_ray treat such a part as its box in its own frame, turned.
+// Boxes    gjk_scene_query_box and gjk_scene_query_ray treat such a part as its own box, turned with it.
 // Drawing  gjk_draw_scene leaves out such a part and its pairs. gjk_draw_scene_concave draws what is near a box.
 // Numbers  Reports do not give triangle numbers. To get one, query the part that gjk_scene_parts returns.
 // Fast     A fast body may touch such a part at the start of its way, and have been near it at the last update. It can

@@ -101,7 +101,7 @@ typedef struct gjk_hull_simple {
 //            from them. gjk2_polygon_order and a thin prism do better.
 // Statuses   NULL; EMPTY; SIZE: as gjk_hull_build; CAPACITY: bytes. RANGE: most, or workspace is not aligned. Also
 //            RANGE: the tetrahedron, up to three times as wide as the points, leaves int32.
-// Cost       the result's triangles times the hull's vertices, for each round of choosing and three times more.
+// Cost       the result's triangles times the hull's vertices, for each round of choosing, and three times after that.
 //            Reducing 1,000 vertices on a sphere to 32 takes ten times as long as gjk_hull_build.
 gjk_status gjk_hull_simplify(const gjk_vec3 *points, uint16_t count, uint16_t most, void *workspace, size_t bytes,
                              gjk_vec3 *vertices, gjk_hull_simple *out);

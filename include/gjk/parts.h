@@ -196,7 +196,7 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
 //            side where most of B lies. In an impact, B meets such a triangle only if it is more than margin +
 //            tolerance beyond, or if most of B crosses the plane.
 // Others     B is in front of any other part if B is farther than the margin from it. The same holds for a triangle
-//            whose corners lie in a line; there an impact asks for margin + tolerance.
+//            whose corners lie in a line; in an impact, with margin + tolerance instead.
 // Rounding   B's height above a plane may be within 12 LSB of the margin. Then B does not meet a triangle within the
 //            margin. Otherwise B meets it if B is in front, or if most of B crosses the plane.
 // Statuses   as in gjk_parts_cast and gjk_parts_time_of_impact. For an impact, b need only be bound to its shape.

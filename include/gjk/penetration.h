@@ -53,7 +53,7 @@ typedef struct gjk_workspace {
   uint32_t count;       // length of cells
 } gjk_workspace;
 
-// The bytes of a workspace for an EPA hull of this many vertices; 0 for fewer than 4.
+// The bytes of a workspace for an EPA hull of this many vertices; 0 below 4. GJK_EPA_CELLS sizes a static array.
 size_t gjk_workspace_bytes(uint16_t vertices);
 
 // Lengths Q16.16, points in the world frame.

@@ -27,11 +27,11 @@ typedef struct gjk_surface_contact {
 // count      the number of manifolds in out.
 //
 // Normals  A manifold has the triangle's own normal if a deepest point of the body along it lies over the triangle.
-//          Otherwise it may have the normal of an edge or corner. All triangles there must lie behind the plane across
-//          it, to within 2^-27, or 1/1024 for curved bodies. At a convex edge it lies between both triangles' normals.
-//          The triangle's own normal replaces any other that the distance would give. If a neighbour across that normal
-//          keeps the body farther out, the neighbour has the contact instead. So flat and concave edges have no
-//          normals. An edge that two triangles share only in part counts as open.
+//          Otherwise it may have the normal of an edge or corner. All triangles there must lie behind the plane
+//          perpendicular to it, to within 2^-27, or 1/1024 for curved bodies. At a convex edge it lies between both
+//          triangles' normals. The triangle's own normal replaces any other that the distance would give. If a
+//          neighbour across that normal keeps the body farther out, the neighbour has the contact instead. So flat and
+//          concave edges have no normals. An edge that two triangles share only in part counts as open.
 // Sides    A body is behind a triangle if more than half of its height along the triangle's normal is behind the plane.
 //          A one-sided triangle then has no contact. It has none either if the body is apart and nearest to the
 //          triangle's back, as at a border that the body hooks under. A two-sided triangle counts from the side that

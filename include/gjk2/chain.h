@@ -71,17 +71,17 @@ typedef struct gjk2_chain_contact {
 // From outside  A body meets a segment while its collider's centre is in front of the segment's line or on it. It meets
 //               a convex joint while the centre is in front of or on one of the two lines. These tests are exact signs.
 //               So ground lets bodies through from behind, and lets go of a body whose centre is in it.
-// A segment     The body's deepest corner along the segment's normal must lie across from the segment. Or an edge of
-//               the body must share a stretch with the segment, as in gjk2_contacts. A corner behind both segments of a
-//               concave joint, across from neither, counts for both. A corner beyond an end counts for the segment if
-//               the body cannot meet the neighbour there. That is so if their boxes do not meet, or if the centre is
-//               behind a convex neighbour.
+// A segment     The body's deepest corner along the segment's normal must lie opposite the segment. Or an edge of the
+//               body must share a stretch with the segment, as in gjk2_contacts. A corner behind both segments of a
+//               concave joint, opposite neither, counts for both. A corner beyond an end counts for the segment if the
+//               body cannot meet the neighbour there. That is so if their boxes do not meet, or if the centre is behind
+//               a convex neighbour.
 // Which normal  The direction of the shortest way out wins. It is found exactly, among the directions of segments and
 //               joints. A segment yields to a convex neighbour if the way out is shorter along the neighbour's normal.
 //               For this the boxes must meet, and the centre must be in front of the neighbour. A segment also yields
 //               to a shorter way along a direction of a convex joint or open end in the body's box. If it faces an edge
 //               of the body, it yields only to directions more than 20 degrees from its normal. A joint yields unless
-//               the shortest way out is along a direction strictly between.
+//               the shortest way out is strictly inside its range of directions.
 // Exact         all of these signs, for points, segments, triangles, boxes, polygons and their forms with a convex
 //               radius. Points of an ellipse or custom shape are within 2 LSB. With these, a segment yields only to
 //               neighbours' normals more than 20 degrees off, and a joint to normals that reach farther.
