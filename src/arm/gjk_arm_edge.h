@@ -8,7 +8,7 @@
 gjk_status gjk_arm_check_edge_arguments(const gjk_arm *arm, const int32_t *from, const int32_t *to,
                                         const gjk_arm_setup *setup);
 
-// Does a pair come within margin and tolerance, posed at the frames with number which? A pair of an obstacle or two parts.
+// Does a pair, not of a body, come within margin plus tolerance, posed at the frames with number which?
 bool gjk_arm_touches(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned which);
 
 // Reports a proof of the present span: of a pair, of a piece of a body, or the last one of a body.

@@ -3,8 +3,8 @@
 // The direction's longest component is d.m, along the axis m; the others follow it in turn, m + 1 and m + 2. A point p of the
 // pair, relative to a corner o of A, stands at
 //   u = d.m (p - o).(m + 1) - d.(m + 1) (p - o).m        v = the same for m + 2
-// so moves along d leave it in place. Both are shifted right to leave 29 bits, and u takes the sign of d.m. Then for edges
-// and ways between points, with e x f for e.u f.v - e.v f.u:
+// so moves along d do not change it. Both are shifted right to 29 bits, and u takes the sign of d.m. Then for edges and
+// ways between points, with e x f for e.u f.v - e.v f.u:
 //   e x f has the sign of direction . (e x f) in space, up to the rounding
 #ifndef GJK_SRC_FLAT_H
 #define GJK_SRC_FLAT_H

@@ -90,8 +90,9 @@ typedef enum gjk_round_to {
 int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
                            unsigned shift, gjk_round_to to);
 
-// The barycentric coordinates of the feature's nearest point, up to a common factor: exact, not negative, their sum below
-// 2^126; in the order of its vertices. For an edge the third is 0. Pre: 2 <= count <= 3 and the feature is nearest.
+// The barycentric coordinates of the feature's nearest point, up to a common factor: exact, not negative, with a sum
+// below 2^126, in the order of its vertices. For an edge the third is 0. Pre: 2 <= count <= 3 and the feature is
+// nearest.
 void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]);
 
 // Barycentric coordinates of the feature's nearest point: those of the second and the third vertex; the first has the

@@ -6,8 +6,8 @@
 // number 2 s + 2^l - 1.
 //
 // The node that follows one and all below it begins at leaf s + 2^l. It is of the highest level that divides this, since
-// all higher ones that begin there would hold the leaf before as well. So the walk is a number and a level. Where the region
-// moves, the walk goes from near to far, and keeps a bit per level: whether the farther half is still to come.
+// all higher ones that begin there would hold the leaf before as well. So the walk is a number and a level. If the
+// region moves, the walk goes from near to far, and a bit per level says whether the farther half is still to come.
 #ifndef GJK_SRC_MESH_TREE_H
 #define GJK_SRC_MESH_TREE_H
 

@@ -1,7 +1,7 @@
-// A triangle of a surface as a body sees it: its corners, its plane, and how the body stands to it. No query is asked here.
+// A triangle of a surface as a body sees it: its corners, its plane, and how the body lies to it.
 //
-// Everything but the corners in the world is relative to the body's centre. The body's radius, the margin and the triangle are
-// each at most 2^28 along an axis. So corners that matter are at most 3 2^28 + 1, and sqrt(3) 3 2^28 < 2^30.4 long; edges are
+// All but the corners in the world is relative to the body's centre. The body's radius, the margin and the triangle are
+// each at most 2^28 along an axis. So near corners are at most 3 2^28 + 1, and sqrt(3) 3 2^28 < 2^30.4 long; edges are
 // below 2^29 long.
 #ifndef GJK_SRC_SURFACE_FACE_H
 #define GJK_SRC_SURFACE_FACE_H
@@ -32,7 +32,8 @@ bool gjk_face_turn(const gjk_parts_frame *frame, const gjk_collider *body, gjk_s
 // behind it. Pre: corners are set.
 bool gjk_face_set(const gjk_parts_frame *frame, const gjk_collider *body, gjk_surface_face *f);
 
-// Is the body, a sum of half axes, apart from the triangle along one of them, by more than the margin? False proves nothing.
+// Is the body, a sum of half axes, more than the margin apart from the triangle along one of them? False proves
+// nothing.
 // Pre: corners are set.
 bool gjk_face_is_aside(const gjk_collider *body, gjk_q16 margin, const gjk_surface_face *f);
 

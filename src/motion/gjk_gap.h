@@ -35,7 +35,8 @@ void gjk_gap_start(gjk_gap *gap, const gjk_collider *a, const gjk_collider *b, c
 gjk_outcome gjk_gap_measure(gjk_gap *gap, gjk_q30 fraction);
 
 // Moves the feature to a fraction without a search. Is it a triangle whose plane bounds polytopes, and does the triangle
-// remain the nearest feature? Then the normal stays. False: above and the feature are of no use until the next measurement.
+// remain the nearest feature? Then the normal stays. False: above and the feature are invalid until the next
+// measurement.
 bool gjk_gap_follow(gjk_gap *gap, gjk_q30 fraction);
 
 // Bounds on how much the plane's gap decreases over the whole way, Q30 in units of 2^scale LSB. Not above 0: the way

@@ -3,8 +3,8 @@
 // Vertices of A - B are w = u + start, where start is centre_a - centre_b, and u the offset of A's vertex less that of B's.
 // The line is that of all s t, so a vertex may be moved along t: everything beside the line is measured with t x w = t x u + m.
 //
-// Signs don't depend on scale. So u is multiplied by 2^shift, and t by a power of two as well, until they fill 29 and 30 bits:
-// then the filters on high words settle nearly every sign.
+// Signs do not depend on scale. So u is multiplied by 2^shift, and t by a power of two, until they fill 29 and 30 bits.
+// Then the filters on high words settle nearly every sign.
 //
 //   quantity                                            size, scaled               held in
 //   u, difference of two u                              < 2^29, 2^30               int32
@@ -95,7 +95,8 @@ static inline uint8_t gjk_portal_shift(const gjk_collider *a, const gjk_collider
   return (uint8_t)(gjk_clz32((uint32_t)(a->core_radius + b->core_radius) + GJK_LINE_SLACK) - 3);
 }
 
-// Fills in what does not change during a search: what gjk_portal_place does, shift, t and m. No iterations, not leaving.
+// Fills in what does not change during a search: as gjk_portal_place, and shift, t and m. Sets iterations to 0 and
+// leaving to false.
 void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way);
 
 // *out = t x v.

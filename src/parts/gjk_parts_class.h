@@ -9,7 +9,7 @@
 #include "gjk/parts.h"
 #include "gjk_region.h"
 
-// Where a walk is; zeroed: at its start. What the numbers mean is the class's own.
+// Where a walk is; zeroed: at its start. Only the class knows what the numbers mean.
 typedef struct gjk_parts_walk {
   uint32_t node, item;
 } gjk_parts_walk;
@@ -38,8 +38,8 @@ struct gjk_parts_class {
   // rounding included. Body positions nearer than that to an end of int32 are refused, so place cannot leave it.
   uint32_t (*reach)(const void *data);
 
-  // A part that is likely to be near the region. Any number of a part is right; a good one saves work. GJK_PARTS_NONE, for
-  // impacts alone: none.
+  // A part that is likely to be near the region. Any part is right; a good guess saves work. GJK_PARTS_NONE, for
+  // impacts only: none.
   uint32_t (*guess)(const void *data, const gjk_region *region);
 
   // The next part whose box the region meets, each once, in an order that is fixed by data. False: there is none left.

@@ -4,7 +4,7 @@
 
 #include "gjk2_search.h"
 
-// Makes the feature one that depends on the pair alone: the whole edge of A - B that holds the nearest point within, or its end.
+// Makes the feature depend on the pair alone: the whole edge of A - B that holds the nearest point inside, or its end.
 // Pre: a search has ended NEAREST; polygons, in a near frame.
 void gjk2_search_canonical(gjk2_search *s);
 

@@ -97,8 +97,8 @@ static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round
   return gjk2_inline_rounded(length, to, h, (uint32_t)(quotient >> 32), shift);
 }
 
-// Is h / |n|, of which these are the leading bits, surely more than an integer, by more than depth / 2^28? Then depth, which is
-// what the integer leaves of another one, is more than what h / |n| leaves by that much. False: it is not known.
+// With k = floor(h / |n|) and depth = m - k for an integer m: does h / |n| surely exceed k by more than depth / 2^28?
+// Then depth exceeds m - h / |n| by as much. False: it is not known. leading: the leading bits of h / |n|.
 static inline bool gjk2_inline_exceeds(uint32_t leading, unsigned shift, int32_t depth) {
   const unsigned n = shift - 32;
   if (n > 28) {

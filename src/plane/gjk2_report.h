@@ -18,8 +18,8 @@ gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *
 // Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out);
 
-// The outcome after LIMIT of a search for the distance: another one, which settles the question after all, or LIMIT; then
-// out has bounds, and gjk2_distance_stop writes the points so far.
+// After a search for the distance ended with LIMIT: the outcome that settles the question after all, or LIMIT. Then out
+// has bounds, and gjk2_distance_stop writes the points so far.
 gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out);
 void gjk2_distance_stop(const gjk2_search *s, gjk2_distance_result *out);
 

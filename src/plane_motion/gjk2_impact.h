@@ -33,7 +33,7 @@ typedef struct gjk2_impact {
   int64_t half;   // the part of the way on which both turn by half a radian together
 } gjk2_impact;
 
-// angle length, rounded up, LSB. Pre: angle at most 2^40, length at most 2^32.
+// angle times length, rounded up, LSB. Pre: angle at most 2^40, length at most 2^32.
 static inline int64_t gjk2_impact_arc(uint64_t angle, int64_t length) {
   if (angle >> 30 == 0) {
     return (int64_t)((angle * (uint64_t)length) >> 24) + 1;

@@ -1,9 +1,9 @@
 // The names under which the source of scenes (src/scene, src/scene_update, src/scene_query) is compiled for the plane.
 //
 // A file gjk2_scene_NAME.c of this room includes this and then gjk_scene_NAME.c there, so one source serves space and
-// plane: to read the plane's, read that and think gjk2_ for gjk_. What depends on the dimension is in gjk2_scene_plane.h
-// and gjk2_scene_measure.h, which take the places of gjk_scene_space.h and gjk_scene_measure.h. Names without a
-// dimension, those of gjk/body.h and gjk_scene_common.h, stay as they are.
+// plane: to read the plane's, read that file with gjk2_ in place of gjk_. What depends on the dimension is in
+// gjk2_scene_plane.h and gjk2_scene_measure.h, which take the places of gjk_scene_space.h and gjk_scene_measure.h.
+// Names without a dimension, those of gjk/body.h and gjk_scene_common.h, stay as they are.
 #ifndef GJK2_SRC_SCENE_NAMES_H
 #define GJK2_SRC_SCENE_NAMES_H
 

@@ -12,7 +12,8 @@ static inline int64_t gjk_hull_rounding_slack(const gjk_collider *c) {
   return 4 * (int64_t)c->core_radius;
 }
 
-// Moves *at to a vertex with the offset if that is strictly farther along the exact direction; counts it if it is as far.
+// Moves *at to the vertex with this offset if it is strictly farther along the exact direction; counts it if equally
+// far.
 static inline void gjk_hull_refine_to(gjk_direction *direction, const gjk_vec3 *offset, uint16_t vertex,
                                       gjk_support *at) {
   const gjk_vec3 step = gjk_sub(*offset, at->offset);
@@ -26,7 +27,8 @@ static inline void gjk_hull_refine_to(gjk_direction *direction, const gjk_vec3 *
   }
 }
 
-// *local = d in the shape's frame. Returns how far behind along *local a vertex may be that is farther along d when posed.
+// *local = d in the shape's frame. Returns how far behind along *local the vertex may be that is farthest along d when
+// posed.
 int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local);
 
 // The offset of a vertex v of the shape from the rounded centre, posed by rows.
