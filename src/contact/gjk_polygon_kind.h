@@ -3,6 +3,7 @@
 #define GJK_SRC_POLYGON_KIND_H
 
 #include "../arith/gjk_height_key.h"
+#include "../arith/gjk_unit.h"
 #include "gjk_contact_polygon.h"
 
 // gjk_height_key of (u . direction)^2 for a unit vector u; the direction is 2^30 long.
@@ -26,6 +27,9 @@ static inline void gjk_polygon_set_corner(gjk_polygon *p, unsigned i, const gjk_
 
 // How well a face of normal n meets the direction, as a height key; 0: not at all. n is rounded to 30 bits first.
 uint32_t gjk_polygon_alignment(const gjk_long3 *n, const gjk_vec3 *direction);
+
+// Moves the corners by radius u.
+void gjk_polygon_lift(gjk_polygon *p, const gjk_unit3 *u, gjk_q16 radius);
 
 // Steps 3 and 4 of gjk_contact_polygon.c: makes an edge or a corner of a face or edge.
 void gjk_polygon_settle(gjk_polygon *p, gjk_q16 radius);

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What a source file may mention: headers of lower rooms, four headers of the standard, no compiler, no floating point.
+# What a source file may mention: headers of lower rooms, four headers of the standard, no compiler, no floating point. Which
+# files call each other.
 . tests/build/count.sh
 
 # The table must be right before it can judge: every room exists, and each includes only rooms further down.
@@ -33,6 +34,15 @@ files_have_own_names() {
 no_circle() {
   find "$1" -name '*.h' -exec grep -H '^ *# *include "' {} + |
     sed -n 's|^[^:]*/\([a-z_0-9]*\)\.h: *# *include "\(.*/\)*\(gjk2\{0,1\}_[a-z_0-9]*\)\.h".*|\1 \3|p' | tsort >/dev/null
+}
+
+# no_circle_of_calls OBJECTS...: objects that call each other, or name each other's tables, in a circle
+no_circle_of_calls() {
+  nm -A "$@" | sed 's|^.*/\([^/]*\)\.o:[^ ]* *|\1 |' | awk '
+    $2 == "U" { user[NR] = $1; used[NR] = $3; next }
+    $2 ~ /[A-Z]/ { owner[$3] = $1; seen++ }
+    END { for (i in user) if (used[i] in owner) print user[i], owner[used[i]]; if (!seen) print "no-object" }' |
+    tsort >/dev/null
 }
 
 layered() {
@@ -71,6 +81,8 @@ check 'layers.txt: rooms point down' table_is_ordered
 check 'layers.txt: the rooms there are' table_has_all_rooms "$scratch"
 check 'every file of src has a name of its own, with the prefix' files_have_own_names
 check 'no headers include each other in a circle' no_circle src
+check 'the library builds' library host ''
+check 'no objects call each other in a circle' no_circle_of_calls build/host/gjk*.o
 check 'each file includes what its room may' layered src/*/*.[ch] include/gjk/*.h include/gjk2/*.h
 check 'no floating point' no_floating_point src/*/*.[ch] include/gjk/*.h include/gjk2/*.h
 # shellcheck disable=SC2046
@@ -101,6 +113,13 @@ check 'a dimension is refused in a shared source' refused shared "$scratch/plane
 check 'the plane is refused in space' refused layered "$scratch/shape/gjk_plane.c"
 check 'a file in no room is refused' refused layered "$scratch/attic/gjk_attic.c"
 check 'a circle is refused' refused no_circle "$scratch/circle"
+printf 'void gjk_two(void);\nvoid gjk_one(void) { gjk_two(); }\n' >"$scratch/circle/gjk_one.c"
+printf 'void gjk_one(void);\nvoid gjk_two(void) { gjk_one(); }\n' >"$scratch/circle/gjk_two.c"
+for name in gjk_one gjk_two; do
+  "${CC:-cc}" -c "$scratch/circle/$name.c" -o "$scratch/circle/$name.o"
+done
+check 'a call is allowed' no_circle_of_calls "$scratch/circle/gjk_one.o"
+check 'a circle of calls is refused' refused no_circle_of_calls "$scratch/circle/gjk_one.o" "$scratch/circle/gjk_two.o"
 check 'floating point is refused' refused no_floating_point "$scratch/arith/gjk_double.c"
 check 'a compiler test is refused' refused no_compiler "$scratch/arith/gjk_double.c"
 finish includes
