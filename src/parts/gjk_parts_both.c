@@ -34,7 +34,7 @@ gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16
   gjk_collider c;
   gjk_region region;
   gjk_decision decision;
-  uint32_t found = GJK_PARTS_NONE, i;
+  uint32_t found = GJK_PARTS_NONE;
   bool limited = false;
   if (out == NULL) {
     return GJK_ERROR_NULL;
@@ -44,7 +44,7 @@ gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16
     return status != GJK_OK ? status : GJK_ERROR_NEGATIVE;
   }
   const uint32_t count = gjk_parts_count(b);
-  for (i = 0; i < count; i++) {
+  for (uint32_t i = 0; i < count; i++) {
     gjk_status of_part = gjk_parts_both_part(frame, i, &room, &c, &region);
     if (gjk_parts_both_lacks(&of_part)) {
       continue;
@@ -58,14 +58,16 @@ gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16
       return of_part;
     }
     if (found != GJK_PARTS_NONE) {
-      break;
+      gjk_parts_report_near(found, &decision, out);
+      gjk_parts_write_numbers(found, i, parts);
+      return GJK_OK;
     }
   }
-  if (found == GJK_PARTS_NONE && limited) {
+  if (limited) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
-  gjk_parts_report_near(found, &decision, out);
-  gjk_parts_write_numbers(found, found != GJK_PARTS_NONE ? i : GJK_PARTS_NONE, parts);
+  gjk_parts_report_near(GJK_PARTS_NONE, NULL, out);
+  gjk_parts_write_numbers(GJK_PARTS_NONE, GJK_PARTS_NONE, parts);
   return GJK_OK;
 }
 

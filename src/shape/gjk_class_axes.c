@@ -218,10 +218,6 @@ static inline bool is_surely_beyond(const gjk_coarse *coarse, const gjk_vec3 *ax
   return along > most || along < -most;
 }
 
-#else
-
-#define is_surely_beyond(coarse, axis) false
-
 #endif
 
 static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
@@ -231,9 +227,11 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
 #endif
   direction->ties = 0;
   for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
+#if GJK_NARROW_MULTIPLY && !GJK_SMALL
     if (is_surely_beyond(&coarse, &c->frame[i])) {
       continue;
     }
+#endif
     const bool known = GJK_NARROW_MULTIPLY && is_across(direction, 1u << i);  // there the product costs more
     const int64_t along = known ? 0 : gjk_dot(&c->frame[i], d);
     if (along < slack && along > -slack) {
