@@ -105,41 +105,15 @@ static void adjacent_ends(const gjk2_collider *c, const gjk2_support *from, bool
 }
 #endif
 
-const gjk2_shape_class gjk2_class_point = {
-    .measure = measure_plane_axes,
-    .pose = pose_plane_point,
-    .support = support_point,
-    .vertex = vertex_plane_axes,
-    .adjacent = ADJACENT_ENDS,
-    .depth = NULL,
-    .touch = GJK2_TOUCH_AXES,
-    .ground = NULL,
-    .buffered = false,
-    .count = 1,
-};
+#define PLANE_AXES_CLASS(pose_axes, support_axes, adjacent_of, touch_of, vertices)                              \
+  {                                                                                                             \
+    .measure = measure_plane_axes, .pose = (pose_axes), .support = (support_axes), .vertex = vertex_plane_axes, \
+    .adjacent = (adjacent_of), .depth = NULL, .touch = (touch_of), .ground = NULL, .buffered = false,           \
+    .count = (vertices),                                                                                        \
+  }
 
-const gjk2_shape_class gjk2_class_segment = {
-    .measure = measure_plane_axes,
-    .pose = pose_plane_segment,
-    .support = support_segment,
-    .vertex = vertex_plane_axes,
-    .adjacent = ADJACENT_ENDS,
-    .depth = NULL,
-    .touch = GJK2_TOUCH_AXES,
-    .ground = NULL,
-    .buffered = false,
-    .count = 2,
-};
-
-const gjk2_shape_class gjk2_class_box = {
-    .measure = measure_plane_axes,
-    .pose = pose_plane_box,
-    .support = support_box,
-    .vertex = vertex_plane_axes,
-    .adjacent = adjacent_axes,
-    .depth = NULL,
-    .touch = NULL,
-    .ground = NULL,
-    .buffered = false,
-    .count = 4,
-};
+const gjk2_shape_class gjk2_class_point =
+    PLANE_AXES_CLASS(pose_plane_point, support_point, ADJACENT_ENDS, GJK2_TOUCH_AXES, 1);
+const gjk2_shape_class gjk2_class_segment =
+    PLANE_AXES_CLASS(pose_plane_segment, support_segment, ADJACENT_ENDS, GJK2_TOUCH_AXES, 2);
+const gjk2_shape_class gjk2_class_box = PLANE_AXES_CLASS(pose_plane_box, support_box, adjacent_axes, NULL, 4);

@@ -64,20 +64,15 @@ static bool stalls_concave(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_ve
   return late;
 }
 
+#define CONCAVE_CLASS(measure_parts, queries_of_parts)                                                            \
+  {                                                                                                               \
+    .measure = (measure_parts), .pose = pose_concave, .support = support_concave, .refine = NULL, .vertex = NULL, \
+    .stalls = stalls_concave, .close = NULL, .concave = (queries_of_parts), .buffered = false, .count = 3,        \
+    .kind = GJK_KIND_AXES,                                                                                        \
+  }
+
 // What gjk_collider_init measures for gjk_concave_bind, where the public class refuses.
-static const gjk_shape_class class_of_box = {
-    .measure = measure_box,
-    .pose = pose_concave,
-    .support = support_concave,
-    .refine = NULL,
-    .vertex = NULL,
-    .stalls = stalls_concave,
-    .close = NULL,
-    .concave = NULL,
-    .buffered = false,
-    .count = 3,
-    .kind = GJK_KIND_AXES,
-};
+static const gjk_shape_class class_of_box = CONCAVE_CLASS(measure_box, NULL);
 
 // A constant may name no body, or one without parts.
 static gjk_status bind_concave(const gjk_shape *shape, gjk_collider *out) {
@@ -293,16 +288,4 @@ static const struct gjk_scene_concave queries_of_concave = {
     .ray = concave_ray,
 };
 
-const gjk_shape_class gjk_class_concave = {
-    .measure = refuse_shape,
-    .pose = pose_concave,
-    .support = support_concave,
-    .refine = NULL,
-    .vertex = NULL,
-    .stalls = stalls_concave,
-    .close = NULL,
-    .concave = &queries_of_concave,
-    .buffered = false,
-    .count = 3,
-    .kind = GJK_KIND_AXES,
-};
+const gjk_shape_class gjk_class_concave = CONCAVE_CLASS(refuse_shape, &queries_of_concave);

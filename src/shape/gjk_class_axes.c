@@ -304,44 +304,13 @@ static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
   scale_column(rows[0].z, rows[1].z, rows[2].z, size->z, &c->frame[2]);
 }
 
-const gjk_shape_class gjk_class_point = {
-    .measure = measure_axes,
-    .pose = pose_point,
-    .support = support_axes,
-    .refine = refine_axes,
-    .vertex = vertex_axes,
-    .stalls = NULL,
-    .close = GJK_CLOSE_SEGMENTS,
-    .concave = NULL,
-    .buffered = false,
-    .count = 0,
-    .kind = GJK_KIND_AXES,
-};
+#define AXES_CLASS(pose_axes, close_axes, half_axes)                                                  \
+  {                                                                                                   \
+    .measure = measure_axes, .pose = (pose_axes), .support = support_axes, .refine = refine_axes,     \
+    .vertex = vertex_axes, .stalls = NULL, .close = (close_axes), .concave = NULL, .buffered = false, \
+    .count = (half_axes), .kind = GJK_KIND_AXES,                                                      \
+  }
 
-const gjk_shape_class gjk_class_segment = {
-    .measure = measure_axes,
-    .pose = pose_segment,
-    .support = support_axes,
-    .refine = refine_axes,
-    .vertex = vertex_axes,
-    .stalls = NULL,
-    .close = GJK_CLOSE_SEGMENTS,
-    .concave = NULL,
-    .buffered = false,
-    .count = 1,
-    .kind = GJK_KIND_AXES,
-};
-
-const gjk_shape_class gjk_class_box = {
-    .measure = measure_axes,
-    .pose = pose_box,
-    .support = support_axes,
-    .refine = refine_axes,
-    .vertex = vertex_axes,
-    .stalls = NULL,
-    .close = NULL,
-    .concave = NULL,
-    .buffered = false,
-    .count = 3,
-    .kind = GJK_KIND_AXES,
-};
+const gjk_shape_class gjk_class_point = AXES_CLASS(pose_point, GJK_CLOSE_SEGMENTS, 0);
+const gjk_shape_class gjk_class_segment = AXES_CLASS(pose_segment, GJK_CLOSE_SEGMENTS, 1);
+const gjk_shape_class gjk_class_box = AXES_CLASS(pose_box, NULL, 3);

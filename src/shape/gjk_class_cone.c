@@ -22,16 +22,4 @@ static void support_cone(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
   gjk_curved_support(c, &point, out);
 }
 
-const gjk_shape_class gjk_class_cone = {
-    .measure = gjk_disc_base_measure,
-    .pose = gjk_curved_pose,
-    .support = support_cone,
-    .refine = NULL,
-    .vertex = NULL,
-    .stalls = gjk_curved_stalls,
-    .close = NULL,
-    .concave = NULL,
-    .buffered = false,
-    .count = 0,
-    .kind = GJK_KIND_CONE,
-};
+const gjk_shape_class gjk_class_cone = GJK_CURVED_CLASS(gjk_disc_base_measure, support_cone, GJK_KIND_CONE);

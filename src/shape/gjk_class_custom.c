@@ -39,16 +39,4 @@ static void support_custom(const gjk_collider *c, const gjk_vec3 *d, gjk_support
   gjk_curved_support(c, &point, out);
 }
 
-const gjk_shape_class gjk_class_custom = {
-    .measure = measure_custom,
-    .pose = gjk_curved_pose,
-    .support = support_custom,
-    .refine = NULL,
-    .vertex = NULL,
-    .stalls = gjk_curved_stalls,
-    .close = NULL,
-    .concave = NULL,
-    .buffered = false,
-    .count = 0,
-    .kind = GJK_KIND_SMOOTH,
-};
+const gjk_shape_class gjk_class_custom = GJK_CURVED_CLASS(measure_custom, support_custom, GJK_KIND_SMOOTH);

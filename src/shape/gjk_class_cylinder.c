@@ -10,16 +10,4 @@ static void support_cylinder(const gjk_collider *c, const gjk_vec3 *d, gjk_suppo
   gjk_curved_support(c, &point, out);
 }
 
-const gjk_shape_class gjk_class_cylinder = {
-    .measure = gjk_disc_base_measure,
-    .pose = gjk_curved_pose,
-    .support = support_cylinder,
-    .refine = NULL,
-    .vertex = NULL,
-    .stalls = gjk_curved_stalls,
-    .close = NULL,
-    .concave = NULL,
-    .buffered = false,
-    .count = 0,
-    .kind = GJK_KIND_CYLINDER,
-};
+const gjk_shape_class gjk_class_cylinder = GJK_CURVED_CLASS(gjk_disc_base_measure, support_cylinder, GJK_KIND_CYLINDER);

@@ -26,16 +26,4 @@ static void support_ellipsoid(const gjk_collider *c, const gjk_vec3 *d, gjk_supp
   gjk_curved_support(c, &point, out);
 }
 
-const gjk_shape_class gjk_class_ellipsoid = {
-    .measure = measure_ellipsoid,
-    .pose = gjk_curved_pose,
-    .support = support_ellipsoid,
-    .refine = NULL,
-    .vertex = NULL,
-    .stalls = gjk_curved_stalls,
-    .close = NULL,
-    .concave = NULL,
-    .buffered = false,
-    .count = 0,
-    .kind = GJK_KIND_SMOOTH,
-};
+const gjk_shape_class gjk_class_ellipsoid = GJK_CURVED_CLASS(measure_ellipsoid, support_ellipsoid, GJK_KIND_SMOOTH);

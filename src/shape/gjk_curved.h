@@ -41,4 +41,12 @@ int32_t gjk_fine(gjk_q16 size, gjk_q30 u);
 // 2^62 in size; size is at most 2^28.
 gjk_fine_point gjk_fine_stretch(const gjk_vec3 *size, const gjk_long3 *d);
 
+// The table of a kind of shape without vertices.
+#define GJK_CURVED_CLASS(measure_shape, support_shape, kind_of_shape)                                                \
+  {                                                                                                                  \
+    .measure = (measure_shape), .pose = gjk_curved_pose, .support = (support_shape), .refine = NULL, .vertex = NULL, \
+    .stalls = gjk_curved_stalls, .close = NULL, .concave = NULL, .buffered = false, .count = 0,                      \
+    .kind = (kind_of_shape),                                                                                         \
+  }
+
 #endif
