@@ -39,15 +39,4 @@ static void support_plane_custom(const gjk2_collider *c, const gjk2_vec *d, gjk2
   gjk2_curved_support(c, plane_within_bound(c->shape, at), out);
 }
 
-const gjk2_shape_class gjk2_class_custom = {
-    .measure = measure_plane_custom,
-    .pose = gjk2_curved_pose,
-    .support = support_plane_custom,
-    .vertex = NULL,
-    .adjacent = NULL,
-    .depth = gjk2_curved_depth,
-    .touch = NULL,
-    .ground = NULL,
-    .buffered = false,
-    .count = 0,
-};
+const gjk2_shape_class gjk2_class_custom = GJK2_CURVED_CLASS(measure_plane_custom, support_plane_custom);

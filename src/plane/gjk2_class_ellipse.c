@@ -26,15 +26,4 @@ static void support_ellipse(const gjk2_collider *c, const gjk2_vec *d, gjk2_supp
   gjk2_curved_support(c, point, out);
 }
 
-const gjk2_shape_class gjk2_class_ellipse = {
-    .measure = measure_ellipse,
-    .pose = gjk2_curved_pose,
-    .support = support_ellipse,
-    .vertex = NULL,
-    .adjacent = NULL,
-    .depth = gjk2_curved_depth,
-    .touch = NULL,
-    .ground = NULL,
-    .buffered = false,
-    .count = 0,
-};
+const gjk2_shape_class gjk2_class_ellipse = GJK2_CURVED_CLASS(measure_ellipse, support_ellipse);

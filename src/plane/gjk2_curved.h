@@ -24,4 +24,11 @@ void gjk2_curved_support(const gjk2_collider *collider, gjk2_vec point, gjk2_sup
 // are at most 2^62 in size; size is at most 2^28.
 gjk2_vec gjk2_fine_stretch(gjk2_vec size, int64_t x, int64_t y);
 
+// The table of a kind of shape without vertices. It takes gjk2_curved_depth.h, too.
+#define GJK2_CURVED_CLASS(measure_shape, support_shape)                                                         \
+  {                                                                                                             \
+    .measure = (measure_shape), .pose = gjk2_curved_pose, .support = (support_shape), .vertex = NULL,           \
+    .adjacent = NULL, .depth = gjk2_curved_depth, .touch = NULL, .ground = NULL, .buffered = false, .count = 0, \
+  }
+
 #endif
