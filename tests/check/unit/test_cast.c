@@ -5,21 +5,15 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 #include "random.h"
 
 #define SEED 14
 #define TRIALS ((int)check_trials(20000))
 
-static gjk_collider placed(const gjk_shape *shape, int32_t x, int32_t y, int32_t z) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  pose.position.x = x;
-  pose.position.y = y;
-  pose.position.z = z;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
+static gjk_collider placed_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
+  const gjk_vec3 at = {x, y, z};
+  return placed(shape, at);
 }
 
 // Casts b to a place, checks the proof, and that a ray answers alike where b is a point.
@@ -138,7 +132,7 @@ static const row rows[] = {
 };
 
 static void check_row(const row *r) {
-  const gjk_collider a = placed(r->a, 0, 0, 0), b = placed(r->b, r->from.x, r->from.y, r->from.z);
+  const gjk_collider a = placed_at(r->a, 0, 0, 0), b = placed_at(r->b, r->from.x, r->from.y, r->from.z);
   const gjk_cast_result out = cast(&a, &b, r->to.x, r->to.y, r->to.z);
   CHECK_MSG(out.hit == (r->expected != MISS), "%s", r->name);
   if (!out.hit || r->expected == MISS) {
@@ -169,7 +163,7 @@ static void check_refused(const gjk_collider *a, const gjk_collider *b, const gj
 }
 
 static void check_statuses(void) {
-  const gjk_collider a = placed(&box, INT32_MAX, 0, 0), b = placed(&small_box, INT32_MIN, 300, 0);
+  const gjk_collider a = placed_at(&box, INT32_MAX, 0, 0), b = placed_at(&small_box, INT32_MIN, 300, 0);
   const gjk_vec3 near = {INT32_MIN, 0, 0}, far = {INT32_MAX, 0, 0};
   const gjk_vec3 shifted[4] = {{110, 0, 0}, {90, 0, 0}, {100, 10, 0}, {100, 0, 10}};
   const gjk_shape off = GJK_HULL(shifted, 4);
@@ -192,14 +186,14 @@ static void check_statuses(void) {
   CHECK(gjk_cast_ray(&a, &near, &far, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_cast_ray(&unposed, &near, &far, &out) == GJK_ERROR_UNINITIALISED);
   // The centre of the hull's box is 100 LSB from its origin: it would leave int32 at the end.
-  const gjk_collider c = placed(&off, 0, 0, 0);
+  const gjk_collider c = placed_at(&off, 0, 0, 0);
   const gjk_cast_path beyond = {NULL, &far, 0};
   check_refused(&b, &c, &beyond, GJK_ERROR_RANGE);
 }
 
 // Both move: only the way of one against the other counts, and both rest where they touch.
 static void check_both_move(void) {
-  const gjk_collider a = placed(&box, 0, 0, 0), b = placed(&box, 600, 0, 0);
+  const gjk_collider a = placed_at(&box, 0, 0, 0), b = placed_at(&box, 600, 0, 0);
   const gjk_vec3 to_a = {200, 50, -7}, to_b = {200, 50, -7};
   const gjk_cast_path path = {&to_a, &to_b, 0};
   gjk_cast_result out;
@@ -216,9 +210,9 @@ static void check_both_move(void) {
 // Balls: the way meets a sphere about A's centre where both radii and the margin reach.
 static void check_balls(void) {
   const gjk_shape ball = GJK_SPHERE(300), marble = GJK_SPHERE(100);
-  const gjk_collider a = placed(&ball, 0, 0, 0);
+  const gjk_collider a = placed_at(&ball, 0, 0, 0);
   for (int32_t y = 0; y <= 520; y++) {
-    const gjk_collider b = placed(&marble, -1000, y, 0);
+    const gjk_collider b = placed_at(&marble, -1000, y, 0);
     const gjk_vec3 to = {1000, y, 0};
     const gjk_cast_path path = {NULL, &to, 100};
     gjk_cast_result out;
@@ -279,8 +273,8 @@ static void check_random(random_state *random, unsigned long number, unsigned *h
     vertices[1][i] = random_vector(random, size);
   }
   const gjk_vec3 from = random_vector(random, 3 * size), to = random_vector(random, 3 * size);
-  const gjk_collider a = placed(&of_a, 0, 0, 0);
-  gjk_collider b = placed(&of_b, from.x, from.y, from.z);
+  const gjk_collider a = placed_at(&of_a, 0, 0, 0);
+  gjk_collider b = placed_at(&of_b, from.x, from.y, from.z);
   const gjk_cast_result out = cast(&a, &b, to.x, to.y, to.z);
   *most = out.iterations > *most ? out.iterations : *most;
   gjk_decision start;

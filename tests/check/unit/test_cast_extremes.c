@@ -8,6 +8,7 @@
 #include "gjk/check.h"
 #include "gjk/distance.h"
 #include "gjk/impact.h"
+#include "placed.h"
 #include "random.h"
 
 #define SEED 3310
@@ -20,15 +21,6 @@ static gjk_vec3 vec(int32_t x, int32_t y, int32_t z) {
 // One component alone.
 static gjk_vec3 along(int axis, int32_t x) {
   return vec(axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0);
-}
-
-static gjk_collider placed(const gjk_shape *shape, gjk_vec3 at) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  pose.position = at;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
 }
 
 static gjk_status cast(const gjk_collider *a, const gjk_collider *b, gjk_vec3 to, gjk_q16 margin, gjk_cast_result *r) {

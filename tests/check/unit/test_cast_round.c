@@ -8,6 +8,7 @@
 #include "check.h"
 #include "gjk/cast.h"
 #include "gjk/check.h"
+#include "placed.h"
 #include "random.h"
 #include "reference/accurate.h"
 #include "reference/random_shape.h"
@@ -18,16 +19,6 @@
 __extension__ typedef __int128 wide;
 
 static const gjk_vec3 origin = {0, 0, 0};
-
-static gjk_collider placed(const gjk_shape *shape, gjk_vec3 at) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  pose.position = at;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
-}
 
 // The place of B against A at a fraction, times 2^30.
 static void place_at(const gjk_collider *a, const gjk_collider *b, const gjk_cast_path *path, int64_t fraction,

@@ -13,6 +13,7 @@
 #define TEST_NAME "cast_ties"
 #define SPACE 1
 #endif
+#include "placed.h"
 
 #define SEED 9119
 #define TRIALS check_trials(60000)
@@ -102,15 +103,6 @@ static int compare_gap(const trial *t, int64_t fraction, int64_t radius) {
   }
   const wide limit = ((wide)radius * radius) << 60;
   return (square > limit) - (square < limit);
-}
-
-static gjk_collider placed(const gjk_shape *shape, gjk_vec3 at) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  pose.position = at;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
 }
 
 static gjk_vec3 along(const trial *t, int half_ways) {

@@ -3,19 +3,16 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 
 #define ONE GJK_Q16_ONE
 
 static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
 static const gjk_shape dot = GJK_POINT, sheet = GJK_TRIANGLE(corners), cube = GJK_BOX(ONE, ONE, ONE);
 
-static gjk_collider placed(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
-  const gjk_pose pose = {{x, y, z}, {0, 0, 0, GJK_Q30_ONE}};
-  gjk_collider collider;
-  memset(&collider, 0, sizeof collider);
-  CHECK(gjk_collider_init(&collider, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&collider, &pose) == GJK_OK);
-  return collider;
+static gjk_collider placed_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
+  const gjk_vec3 at = {x, y, z};
+  return placed(shape, at);
 }
 
 // The status of the claim "apart; the first count vertices of A and vertex 0 of B are nearest".
@@ -32,8 +29,9 @@ static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t 
 
 // Features that hold the origin are nearest to it, but prove no gap.
 static void test_origin_on_feature(void) {
-  const gjk_collider a = placed(&dot, 5, 5, 5), b = placed(&sheet, 0, 0, 0);
-  const gjk_collider middle = placed(&dot, 0, -ONE, 0), inside = placed(&dot, 0, 0, 0), above = placed(&dot, 0, 0, 1);
+  const gjk_collider a = placed_at(&dot, 5, 5, 5), b = placed_at(&sheet, 0, 0, 0);
+  const gjk_collider middle = placed_at(&dot, 0, -ONE, 0), inside = placed_at(&dot, 0, 0, 0),
+                     above = placed_at(&dot, 0, 0, 1);
   CHECK(nearest(&a, &a, 1) == GJK_ERROR_UNPROVEN);
   CHECK(nearest(&b, &middle, 2) == GJK_ERROR_UNPROVEN);
   CHECK(nearest(&b, &inside, 3) == GJK_ERROR_UNPROVEN);
@@ -57,8 +55,9 @@ static gjk_status enclosed(const gjk_collider *a, const gjk_collider *b, const u
 // also if the origin lies in their plane.
 static void test_enclosing(void) {
   static const uint16_t alternate[4] = {0, 3, 5, 6}, top[4] = {4, 5, 6, 7}, twice[4] = {0, 3, 5, 5};
-  const gjk_collider a = placed(&cube, 0, 0, 0), middle = placed(&dot, 0, 0, 0), beside = placed(&dot, ONE + 9, 0, ONE);
-  const gjk_collider in_corner = placed(&dot, ONE - 1, ONE - 1, ONE - 1);
+  const gjk_collider a = placed_at(&cube, 0, 0, 0), middle = placed_at(&dot, 0, 0, 0),
+                     beside = placed_at(&dot, ONE + 9, 0, ONE);
+  const gjk_collider in_corner = placed_at(&dot, ONE - 1, ONE - 1, ONE - 1);
   CHECK(enclosed(&a, &middle, alternate) == GJK_OK);
   CHECK(enclosed(&a, &in_corner, alternate) == GJK_ERROR_UNPROVEN);
   CHECK(enclosed(&a, &middle, top) == GJK_ERROR_UNPROVEN);
@@ -68,14 +67,14 @@ static void test_enclosing(void) {
 
 // A direction proves a gap if each of its components is in range.
 static void test_directions(void) {
-  const gjk_collider a = placed(&cube, 0, 0, 0);
+  const gjk_collider a = placed_at(&cube, 0, 0, 0);
   gjk_decision decision;
   memset(&decision, 0, sizeof decision);
   decision.certificate.proof = GJK_PROOF_DIRECTION;
   const gjk_q16 most = 3 * (INT32_C(1) << 29);
   for (int axis = 0; axis < 3; axis++) {
     const gjk_q16 gap = 2 * ONE + 10;
-    const gjk_collider b = placed(&cube, axis == 0 ? gap : 0, axis == 1 ? gap : 0, axis == 2 ? gap : 0);
+    const gjk_collider b = placed_at(&cube, axis == 0 ? gap : 0, axis == 1 ? gap : 0, axis == 2 ? gap : 0);
     for (gjk_q16 size = most; size <= most + 1; size++) {
       gjk_vec3 d = {axis == 0 ? size : 0, axis == 1 ? size : 0, axis == 2 ? size : 0};
       const gjk_status status = size <= most ? GJK_OK : GJK_ERROR_UNPROVEN;
@@ -89,7 +88,7 @@ static void test_directions(void) {
   }
   // With the convex radii the asked distance needs more than 31 bits.
   static const gjk_shape ball = GJK_SPHERE(ONE);
-  const gjk_collider p = placed(&ball, 0, 0, 0), q = placed(&ball, 5 * ONE, 0, 0);
+  const gjk_collider p = placed_at(&ball, 0, 0, 0), q = placed_at(&ball, 5 * ONE, 0, 0);
   const gjk_vec3 along = {ONE, 0, 0};
   decision.certificate.direction = along;
   CHECK(gjk_check_decision(&p, &q, 3 * ONE - 1, &decision) == GJK_OK);
@@ -103,7 +102,7 @@ static void test_largest(void) {
   const gjk_q16 away = 619925130;  // 2^30 / sqrt(3)
   const gjk_shape *const shapes[2] = {&box, &barrel};
   for (int i = 0; i < 2; i++) {
-    const gjk_collider a = placed(shapes[i], 0, 0, 0), b = placed(shapes[i], away, away, away);
+    const gjk_collider a = placed_at(shapes[i], 0, 0, 0), b = placed_at(shapes[i], away, away, away);
     gjk_cache cache;
     gjk_decision decision;
     memset(&cache, 0, sizeof cache);
@@ -120,21 +119,21 @@ static void test_largest(void) {
 
 // If the bounding spheres are apart, the answer holds whatever the certificate says.
 static void test_spheres(void) {
-  const gjk_collider a = placed(&cube, 0, 0, 0), b = placed(&cube, 0, 0, 100 * ONE);
+  const gjk_collider a = placed_at(&cube, 0, 0, 0), b = placed_at(&cube, 0, 0, 100 * ONE);
   gjk_decision decision;
   memset(&decision, 0, sizeof decision);
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_OK);
   decision.yes = true;
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_ERROR_UNPROVEN);
   // Shapes too far apart for exact proofs, asked about a distance larger still.
-  const gjk_collider c = placed(&cube, 0, 0, INT32_MAX), d = placed(&cube, 0, 0, INT32_MIN + 2);
+  const gjk_collider c = placed_at(&cube, 0, 0, INT32_MAX), d = placed_at(&cube, 0, 0, INT32_MIN + 2);
   CHECK(gjk_check_decision(&a, &c, INT32_MAX, &decision) == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_check_decision(&c, &d, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
 }
 
 // The right feature, with distances beside the right one.
 static void test_distances(void) {
-  const gjk_collider a = placed(&dot, 0, 0, 0), b = placed(&dot, 3, 4, 0);
+  const gjk_collider a = placed_at(&dot, 0, 0, 0), b = placed_at(&dot, 3, 4, 0);
   gjk_distance_result result;
   memset(&result, 0, sizeof result);
   CHECK(gjk_distance(&a, &b, NULL, &result) == GJK_OK);
@@ -159,8 +158,8 @@ static void test_penetrations(void) {
   static gjk_epa_cell cells[GJK_EPA_CELLS(16)];
   static const gjk_workspace workspace = {cells, GJK_EPA_CELLS(16)};
   static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, ONE), barrel = GJK_CYLINDER(ONE, ONE);
-  const gjk_collider a = placed(&cube, 0, 0, 0), b = placed(&cube, 0, 0, 2 * ONE - 10),
-                     far = placed(&cube, 0, 9 * ONE, 0);
+  const gjk_collider a = placed_at(&cube, 0, 0, 0), b = placed_at(&cube, 0, 0, 2 * ONE - 10),
+                     far = placed_at(&cube, 0, 9 * ONE, 0);
   gjk_penetration_result r;
   memset(&r, 0, sizeof r);
   CHECK(gjk_check_penetration(NULL, &b, &r) == GJK_ERROR_NULL);
@@ -169,7 +168,7 @@ static void test_penetrations(void) {
   CHECK(gjk_check_penetration(&a, &far, &r) == GJK_OK);
   r.intersecting = true;
   CHECK(gjk_check_penetration(&a, &far, &r) == GJK_ERROR_UNPROVEN);
-  const gjk_collider curved = placed(&barrel, 0, 0, 2 * ONE - 10);
+  const gjk_collider curved = placed_at(&barrel, 0, 0, 2 * ONE - 10);
   CHECK(gjk_penetration(&a, &curved, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.intersecting);
   CHECK(gjk_check_penetration(&a, &curved, &r) == GJK_ERROR_UNSUPPORTED);
@@ -200,14 +199,14 @@ static void test_penetrations(void) {
   other.certificate.a[1] = 8;
   CHECK(gjk_check_penetration(&a, &b, &other) == GJK_ERROR_UNPROVEN);  // a vertex that there is not
   // Shapes whose cores overlap are within any distance: also one that is smaller than their convex radii.
-  const gjk_collider p = placed(&soft, 0, 0, 0), q = placed(&soft, 0, 0, 2 * ONE - 10);
+  const gjk_collider p = placed_at(&soft, 0, 0, 0), q = placed_at(&soft, 0, 0, 2 * ONE - 10);
   CHECK(gjk_penetration(&p, &q, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.depth == 2 * ONE + 10);
   CHECK(gjk_check_penetration(&p, &q, &r) == GJK_OK);
   CHECK(penetrates(&p, &q, &r, 2 * ONE + 9) == GJK_ERROR_UNPROVEN);
   CHECK(penetrates(&p, &q, &r, 3) == GJK_ERROR_UNPROVEN);
   // Proven by the nearest feature of cores that are apart.
-  const gjk_collider s = placed(&soft, 0, 0, 2 * ONE + 10);
+  const gjk_collider s = placed_at(&soft, 0, 0, 2 * ONE + 10);
   CHECK(gjk_penetration(&p, &s, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.depth == 2 * ONE - 10);
   CHECK(r.certificate.proof == GJK_PROOF_NEAREST);
@@ -218,7 +217,7 @@ static void test_penetrations(void) {
   }
   // Cores much nearer to each other than the convex radii, in a frame of high resolution.
   static const gjk_shape large = GJK_SPHERE(INT32_C(1) << 27);
-  const gjk_collider u = placed(&large, 0, 0, 0), v = placed(&large, 0, 3, 4);
+  const gjk_collider u = placed_at(&large, 0, 0, 0), v = placed_at(&large, 0, 3, 4);
   CHECK(gjk_penetration(&u, &v, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.depth == (INT32_C(1) << 28) - 5);
   CHECK(gjk_check_penetration(&u, &v, &r) == GJK_OK);
@@ -240,13 +239,13 @@ static gjk_vec3 moved(gjk_vec3 v, int axis, gjk_q16 by) {
 static void test_planes(void) {
   static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, 10);
   static const gjk_q30 size[] = {1, 5, INT32_MAX};
-  const gjk_collider a = placed(&cube, 0, 0, 0);
+  const gjk_collider a = placed_at(&cube, 0, 0, 0);
   for (int axis = 0; axis < 3; axis++) {
     for (int sign = -1; sign <= 1; sign += 2) {
       const gjk_q16 by = sign * 2 * ONE, x = axis == 0 ? by : 0, y = axis == 1 ? by : 0, z = axis == 2 ? by : 0;
-      const gjk_collider b = placed(&cube, x, y, z),
-                         deep = placed(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0)),
-                         apart = placed(&cube, x + (x > 0) - (x < 0), y + (y > 0) - (y < 0), z + (z > 0) - (z < 0));
+      const gjk_collider b = placed_at(&cube, x, y, z),
+                         deep = placed_at(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0)),
+                         apart = placed_at(&cube, x + (x > 0) - (x < 0), y + (y > 0) - (y < 0), z + (z > 0) - (z < 0));
       const gjk_vec3 corner = {axis == 0 ? sign * ONE : ONE, axis == 1 ? sign * ONE : ONE,
                                axis == 2 ? sign * ONE : ONE};
       const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
@@ -276,8 +275,8 @@ static void test_planes(void) {
       *along = INT32_MIN;
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
       // If the cubes have a convex radius and intersect, the plane must also touch both cores.
-      const gjk_collider soft_a = placed(&soft, 0, 0, 0), soft_b = placed(&soft, x, y, z);
-      const gjk_collider apart_b = placed(&soft, apart.centre.x, apart.centre.y, apart.centre.z);
+      const gjk_collider soft_a = placed_at(&soft, 0, 0, 0), soft_b = placed_at(&soft, x, y, z);
+      const gjk_collider apart_b = placed_at(&soft, apart.centre.x, apart.centre.y, apart.centre.z);
       *along = sign * ONE;
       r.depth = r.lower = r.upper = 20;
       r.point_a = moved(corner, axis, sign * 10);
@@ -310,19 +309,19 @@ static gjk_penetration_result by_upper_facet(gjk_q16 depth, gjk_q16 point_a, gjk
 // is claimed of the slabs would be right.
 static void test_facet_of_boxes_apart(void) {
   static const gjk_shape small = GJK_BOX(1000, 1000, 1000), slab = GJK_BOX(1000, 100, 1000);
-  const gjk_collider a = placed(&small, 0, 0, 0), beside = placed(&small, 2100, 0, 0);
+  const gjk_collider a = placed_at(&small, 0, 0, 0), beside = placed_at(&small, 2100, 0, 0);
   gjk_penetration_result r = by_upper_facet(2000, 1000, -1000);
   CHECK(gjk_check_penetration(&a, &a, &r) == GJK_OK);
   r.point_a.x = r.point_b.x = 1000;
   CHECK(gjk_check_penetration(&a, &beside, &r) == GJK_ERROR_UNPROVEN);
-  const gjk_collider p = placed(&slab, 0, 0, 0), across = placed(&slab, 0, -300, 0),
-                     touching = placed(&slab, 0, -200, 0);
+  const gjk_collider p = placed_at(&slab, 0, 0, 0), across = placed_at(&slab, 0, -300, 0),
+                     touching = placed_at(&slab, 0, -200, 0);
   r = by_upper_facet(400, 100, -300);
   CHECK(gjk_check_penetration(&p, &touching, &r) == GJK_OK);  // enough, though not the least
   r = by_upper_facet(500, 100, -400);
   CHECK(gjk_check_penetration(&p, &across, &r) == GJK_ERROR_UNPROVEN);
   // A depth larger than the bounding spheres allow is never the least.
-  const gjk_collider below = placed(&small, 0, -2000, 0);
+  const gjk_collider below = placed_at(&small, 0, -2000, 0);
   r = by_upper_facet(4000, 1000, -3000);
   CHECK(gjk_check_penetration(&a, &below, &r) == GJK_ERROR_UNPROVEN);
 }
@@ -332,7 +331,8 @@ static void test_facet_of_boxes_apart(void) {
 static void test_facet_before_origin(void) {
   static const uint16_t of_a[3] = {1, 3, 7}, of_b[3] = {6, 4, 0};
   static const gjk_shape soft = GJK_ROUNDED_BOX(1000, 1000, 1000, 10);
-  const gjk_collider a = placed(&soft, 0, 0, 0), b = placed(&soft, 2001, 0, 0), deep = placed(&soft, 1999, 0, 0);
+  const gjk_collider a = placed_at(&soft, 0, 0, 0), b = placed_at(&soft, 2001, 0, 0),
+                     deep = placed_at(&soft, 1999, 0, 0);
   gjk_penetration_result r;
   memset(&r, 0, sizeof r);
   r.intersecting = true;
@@ -357,8 +357,8 @@ static void test_cut_off(void) {
   const gjk_q16 ends[2] = {INT32_MAX, INT32_MIN};
   for (int i = 0; i < 2; i++) {
     const gjk_q16 inwards = i == 0 ? -ONE : ONE, end = ends[i] + inwards / 2;
-    const gjk_collider a = placed(&ball, end, 0, 0), b = placed(&ball, end, 3 * ONE, 0);
-    const gjk_collider near = placed(&ball, end, 0, 0), inner = placed(&ball, end + 3 * inwards, 3, 0);
+    const gjk_collider a = placed_at(&ball, end, 0, 0), b = placed_at(&ball, end, 3 * ONE, 0);
+    const gjk_collider near = placed_at(&ball, end, 0, 0), inner = placed_at(&ball, end + 3 * inwards, 3, 0);
     gjk_distance_result r;
     // The points are not where the shapes leave the world, so they must not saturate.
     CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK);
@@ -376,7 +376,7 @@ static void test_cut_off(void) {
     r.point_a.x = ends[i];
     CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
     // Beyond the end of the world the points do saturate.
-    const gjk_collider edge = placed(&ball, ends[i], 0, 0), over = placed(&ball, ends[i] + 3 * inwards, 0, 0);
+    const gjk_collider edge = placed_at(&ball, ends[i], 0, 0), over = placed_at(&ball, ends[i] + 3 * inwards, 0, 0);
     CHECK(gjk_distance(&over, &edge, NULL, &r) == GJK_OK);
     CHECK(gjk_check_distance(&over, &edge, &r) == GJK_OK);
   }

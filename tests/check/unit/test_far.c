@@ -9,20 +9,11 @@
 
 #include "check.h"
 #include "generate/generate.h"
+#include "placed.h"
 #include "reference/reference.h"
 
 #define SEED 5
 #define PAIRS ((int)check_trials(200000))
-
-static gjk_collider placed(const gjk_shape *shape, gjk_vec3 at) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  pose.position = at;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
-}
 
 // A vector with components below 2^(bits - 1) in size.
 static gjk_vec3 random_vector(random_state *random, int bits) {

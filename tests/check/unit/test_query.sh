@@ -174,28 +174,8 @@ done
 
 # Malformed cases: one message with file, line and expectation, no answer, and the others are answered.
 
-# malformed LINE 'expected' 'text of the case, printf format'; the text begins at line 4.
-malformed() {
-  {
-    printf 'case first\nA point\nB point\n'
-    # shellcheck disable=SC2059
-    printf "$3"
-    printf '\ncase last\nA point\nB point\n'
-  } >"$dir/bad.txt"
-  status 2 "$tool" "$dir/bad.txt" || return 1
-  message=$(cat "$dir/err")
-  case $message in
-    "$dir/bad.txt:$1: expected $2"*) ;;
-    *) echo "line $1, expected $2, but: $message"; return 1 ;;
-  esac
-  is 1 "$(wc -l <"$dir/err" | tr -d ' ')" &&
-    is 'first intersecting,last intersecting,' "$(plain <"$dir/out" | tr '\n' ',')"
-}
-
-bad() {
-  check "malformed: $2: $3" malformed "$@"
-}
-
+word=case
+. tests/build/malformed.sh
 bad 4 "'case ID'" 'case'
 long=0123456789012345678901234567890123456789012345678901234567890123
 bad 4 "'case ID' with an ID of 1 to 63" "case $long\\nA point\\nB point"

@@ -37,28 +37,11 @@ check 'open' is 'o open iterations=1' \
 
 # Malformed cases: one message with file, line and expectation, no answer, and the others are answered.
 
-# malformed LINE 'expected' 'text of the case, printf format'; the text begins at line 4.
-malformed() {
-  {
-    printf 'case2 first\nA point\nB point\n'
-    # shellcheck disable=SC2059
-    printf "$3"
-    printf '\ncase2 last\nA point\nB point\n'
-  } >"$dir/bad.txt"
-  status 2 "$tool" "$dir/bad.txt" || return 1
-  message=$(cat "$dir/err")
-  case $message in
-    "$dir/bad.txt:$1: expected $2"*) ;;
-    *) echo "line $1, expected $2, but: $message"; return 1 ;;
-  esac
-  is 1 "$(wc -l <"$dir/err" | tr -d ' ')" &&
-    is 'first intersecting,last intersecting,' "$(sed 's/ iterations.*//' "$dir/out" | tr '\n' ',')"
+plain() {
+  sed 's/ iterations.*//'
 }
-
-bad() {
-  check "malformed: $2: $3" malformed "$@"
-}
-
+word=case2
+. tests/build/malformed.sh
 bad 4 "'case2 ID' with an ID of 1 to 63" 'case2'
 bad 5 'point, segment, triangle, box, polygon, circle' 'case2 x\nA sphere 1\nB point'
 bad 5 'point, segment, triangle, box, polygon, circle' 'case2 x\nA\nB point'
