@@ -34,7 +34,7 @@
 // Does the gap fall along the way (-1), keep (0) or grow (1), by the last feature, at the start or the end? Exact of
 // polygons with centres at most 2^30 apart.
 static int plane_advance_slope(const gjk2_advancing *s, const gjk2_face *face, bool at_end) {
-  if (face->count == 1 && !s->curved) {
+  if (!gjk2_face_is_edge(face) && !s->curved) {
     return -gjk2_way_is_ahead(s->way, face->p.o, at_end);
   }
   return gjk_sign64(gjk2_way_ahead(s->way, face->n));
@@ -137,7 +137,7 @@ static void plane_advance_stay(gjk2_advancing *s, gjk_q30 before) {
 static void plane_advance_hit(gjk2_advancing *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
-  if (s->face.count == 2) {
+  if (gjk2_face_is_edge(&s->face)) {
     const int64_t foot =
         !GJK_SMALL && s->at == s->fraction ? s->foot : gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     place.q = &s->face.q;
@@ -253,7 +253,8 @@ GJK_OUT_OF_LINE static bool plane_advance_round(gjk2_advancing *s, gjk2_bound *b
       gjk2_face_shorten(&s->face.n);
     }
   }
-  *bound = plane_advance_bound(s, s->face.n, s->face.count == 1 ? UINT32_C(1) << 30 : 0, &support, &next, &rate);
+  *bound =
+      plane_advance_bound(s, s->face.n, gjk2_face_is_edge(&s->face) ? 0 : UINT32_C(1) << 30, &support, &next, &rate);
   if (s->curved) {
     gjk2_copy_span(&s->face.p, &support);
   }
@@ -265,7 +266,7 @@ GJK_OUT_OF_LINE static bool plane_advance_round(gjk2_advancing *s, gjk2_bound *b
   if (s->curved) {
     return plane_is_step(&rate, next - before);
   }
-  if (s->face.count == 2) {
+  if (gjk2_face_is_edge(&s->face)) {
     const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     if (foot >= 0 && foot <= GJK_Q30_ONE) {
       s->at = s->fraction;
@@ -297,7 +298,7 @@ static void plane_advance_short(const gjk2_advancing *s, const gjk2_face *face, 
   const gjk2_way *way = s->way;
   gjk2_cast_miss(way, s->curved ? GJK2_CAST_PROOF_NONE : GJK2_CAST_PROOF_SHORT, out);
   gjk2_copy(&out->certificate.direction, &face->n);
-  if (face->count == 1 && !s->curved) {
+  if (!gjk2_face_is_edge(face) && !s->curved) {
     const int64_t x = (at_end ? way->t.x : 0) - way->delta.x - face->p.o.x;
     const int64_t y = (at_end ? way->t.y : 0) - way->delta.y - face->p.o.y;
     if ((gjk_magnitude64(x) | gjk_magnitude64(y)) >> 29 == 0) {
@@ -392,15 +393,17 @@ static void plane_advance_set(gjk2_advancing *s, gjk2_way *way, gjk_q16 margin) 
   s->way = way;
   s->margin = margin;
   s->curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);
-  s->point = way->a->count == 1 && way->b->count == 1;
-  s->centred = plane_is_centred(way->a) && plane_is_centred(way->b);
-  s->nearest = false;
-  s->raw = false;
   s->radius = radius + (s->curved ? PLANE_CURVED_SLACK : 0);
   s->fraction = 0;
   s->open = false;
-  s->late = false;
-  s->at = -1;
+  if (!GJK_SMALL) {
+    s->point = way->a->count == 1 && way->b->count == 1;
+    s->centred = plane_is_centred(way->a) && plane_is_centred(way->b);
+    s->nearest = false;
+    s->raw = false;
+    s->late = false;
+    s->at = -1;
+  }
 }
 
 // Reports a hit, unless it is open whether the way ends before it, and it does.

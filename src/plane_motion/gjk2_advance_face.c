@@ -26,6 +26,10 @@ GJK_OUT_OF_LINE bool gjk2_face_is_near(gjk2_advancing *s, gjk_q30 fraction) {
 
 void gjk2_face_load(const gjk2_way *way, uint16_t a, uint16_t b, gjk2_span *out) {
   const gjk2_vec none = {0, 0};
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    gjk2_copy_span(out, &gjk2_origin_span);
+    return;
+  }
   out->a.vertex = a;
   out->b.vertex = b;
   out->a.offset = none;
@@ -54,14 +58,14 @@ void gjk2_face_of_gap(const gjk2_advancing *s, gjk2_face *face) {
     return;
   }
   gjk2_face_load(s->way, c->a[0], c->b[0], &face->p);
-  if (c->count == 2) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && c->count == 2) {
     gjk2_face_load(s->way, c->a[1], c->b[1], &face->q);
     plane_face_turn(face, face->n);
   }
 }
 
 // One coordinate of the way at a fraction, exact, less from, Q30. Pre: it is below 2^30 in size.
-static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
+GJK_ONE_COPY static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
   const int64_t exact = way * fraction, whole = gjk_sar64(exact, 30);  // below 2^62
   return gjk_shl64(whole - from, 30) + (exact - gjk_shl64(whole, 30));
 }
@@ -89,7 +93,7 @@ void gjk2_face_touch(gjk2_advancing *s) {
   s->nearest = false;
   face->count = 1;
   face->n = plane_fine_place(s, face->p.o);
-  for (int i = 0; i < 16; i++) {
+  for (int i = 0; i < 16 && GJK_SHAPES >= GJK_SHAPES_ROUND; i++) {  // of points the face is the vertex
     gjk2_span x;
     gjk2_way_scan(s->way, face->n, &x);
     if (gjk2_dot(face->n, gjk2_sub(x.o, face->p.o)) <= 0) {

@@ -18,6 +18,11 @@ typedef struct gjk2_face {
   unsigned count;  // 1 or 2
 } gjk2_face;
 
+// Is it an edge? A build for circles alone has none.
+static inline bool gjk2_face_is_edge(const gjk2_face *face) {
+  return GJK_SHAPES >= GJK_SHAPES_ROUND && face->count == 2;
+}
+
 // A cast on its way.
 typedef struct gjk2_advancing {
   gjk2_way *way;
@@ -36,9 +41,6 @@ typedef struct gjk2_advancing {
   gjk2_face face;    // of the last place that was looked at
   gjk2_distance_result gap;
 } gjk2_advancing;
-
-// The one vertex of A - B of two circles.
-static const gjk2_span gjk2_origin_span = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
 
 // Measures the gap at a fraction. Returns whether it is at most the margin: exact of polygons.
 bool gjk2_face_is_near(gjk2_advancing *s, gjk_q30 fraction);

@@ -14,7 +14,7 @@ gjk2_long gjk2_cast_place_from(const gjk2_way *way, gjk2_vec o, gjk_q30 fraction
 }
 
 // *to = *from. Where that may become a call of memcpy, word by word: see gjk2_copy.
-static inline void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
+GJK_ONCE static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
 #if GJK_64_BIT && !GJK_SMALL
   *to = *from;
 #else

@@ -35,7 +35,7 @@ GJK_OUT_OF_LINE static void plane_cast_exact(gjk2_way *way, bool early, gjk2_cas
     return;
   }
   if (e.along >= 0) {
-    if (e.along > 0 && (!early || !plane_cast_leaves_later(way, &e))) {
+    if (e.along > 0 && (GJK_SHAPES <= GJK_SHAPES_POINTS || !early || !plane_cast_leaves_later(way, &e))) {
       plane_cast_short(way, &e, out);
     } else {
       gjk2_cast_inside(way, NULL, out);
@@ -51,7 +51,7 @@ GJK_OUT_OF_LINE static void plane_cast_exact(gjk2_way *way, bool early, gjk2_cas
   gjk2_ratio_set(&divisor, e.closing);
   portion.fraction = gjk2_ratio_by(&divisor, portion.num, portion.den, &portion.exact);
   gjk2_contact_place place = {&e.p, e.count == 2 ? &e.q : &e.p, 0, e.n};
-  if (e.count == 2) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && e.count == 2) {
     bool exact;
     place.weight = gjk2_ratio_by(&divisor, (uint64_t)-e.side_p, e.closing, &exact);
   }

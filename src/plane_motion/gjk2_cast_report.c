@@ -44,7 +44,8 @@ void gjk2_cast_inside(const gjk2_way *way, const gjk2_distance_result *gap, gjk2
 static inline gjk_q16 plane_cast_coordinate(int32_t u, int32_t v, gjk_q30 weight, gjk_q30 normal, gjk_q16 radius,
                                             int64_t moved, gjk_q16 centre, bool *saturated) {
   const int64_t half = INT64_C(1) << 29;
-  const int64_t offset = gjk_mac32(gjk_mac32(gjk_shl64(u, 30) + half, v - u, weight), normal, radius);
+  const int64_t core = GJK_SHAPES <= GJK_SHAPES_POINTS ? 0 : gjk_mac32(gjk_shl64(u, 30), v - u, weight);
+  const int64_t offset = gjk_mac32(core + half, normal, radius);
   return gjk_saturate_noting(centre + gjk_sar64(offset + moved, 30), saturated);
 }
 

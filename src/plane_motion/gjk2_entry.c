@@ -59,6 +59,9 @@ static bool plane_entry_both_sides(gjk2_way *way, gjk2_entry *e) {
 static unsigned plane_entry_start(gjk2_way *way, gjk2_entry *e) {
   gjk2_way_scan(way, gjk2_negate(way->d), &e->p);
   e->side_p = gjk2_way_side(way, e->p.o);
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return e->side_p == 0 ? 1 : 0;
+  }
   if (e->side_p == 0) {
     return way->wide && plane_entry_both_sides(way, e) ? 2 : 1;
   }
@@ -80,7 +83,7 @@ static unsigned plane_entry_start(gjk2_way *way, gjk2_entry *e) {
 
 bool gjk2_entry_find(gjk2_way *way, gjk2_entry *e) {
   const unsigned ends = plane_entry_start(way, e);
-  if (ends < 2) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS || ends < 2) {
     if (ends == 1) {
       plane_entry_at(way, e);
     }

@@ -14,7 +14,7 @@ static inline bool plane_way_ends_inside(int64_t x) {
 }
 
 // A collider's way. False: its centre leaves int32.
-static inline bool plane_way_of(const gjk2_collider *c, const gjk2_vec *to, gjk2_long *way) {
+GJK_ONCE static bool plane_way_of(const gjk2_collider *c, const gjk2_vec *to, gjk2_long *way) {
   way->x = 0;
   way->y = 0;
   if (to == NULL) {
@@ -33,7 +33,7 @@ typedef struct plane_long_sum {
 
 //   high digits   below 2^17, times 2^33: two of them below 2^51
 //   low digits    below 2^16, times 2^33: two of them below 2^50
-static plane_long_sum plane_sum_long(int64_t p, int64_t q, int64_t r, int64_t s) {
+GJK_ONE_COPY static plane_long_sum plane_sum_long(int64_t p, int64_t q, int64_t r, int64_t s) {
   const int64_t digit = INT64_C(0xFFFF), low = (p & digit) * q + (r & digit) * s;
   const plane_long_sum sum = {gjk_sar64(p, 16) * q + gjk_sar64(r, 16) * s + gjk_sar64(low, 16),
                               (uint32_t)(low & digit)};
@@ -101,18 +101,18 @@ void gjk2_way_reverse(gjk2_way *way) {
 }
 
 // Is |v| > reach? Pre: components below 2^31 in size, reach < 2^31.
-static bool plane_is_longer(int64_t x, int64_t y, int64_t reach) {
+GJK_ONE_COPY static bool plane_is_longer(int64_t x, int64_t y, int64_t reach) {
   const uint32_t u = (uint32_t)gjk_magnitude64(x), v = (uint32_t)gjk_magnitude64(y), r = (uint32_t)reach;
   return gjk_umul32(u, u) + gjk_umul32(v, v) > gjk_umul32(r, r);
 }
 
 // The same along each axis alone, for any numbers.
-static bool plane_is_outside(int64_t x, int64_t y, int64_t reach) {
+GJK_ONE_COPY static bool plane_is_outside(int64_t x, int64_t y, int64_t reach) {
   return x > reach || -x > reach || y > reach || -y > reach;
 }
 
 // Is an axis' coordinate beyond reach, on one side, at both ends?
-static bool plane_stays_off(int64_t from, int64_t to, int64_t reach) {
+GJK_ONE_COPY static bool plane_stays_off(int64_t from, int64_t to, int64_t reach) {
   return (from > reach && to > reach) || (from < -reach && to < -reach);
 }
 
@@ -137,6 +137,11 @@ bool gjk2_way_may_meet(const gjk2_way *way, int64_t radius, bool *early, bool *l
 }
 
 void gjk2_way_scan(gjk2_way *way, gjk2_vec d, gjk2_span *out) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    gjk2_copy_span(out, &gjk2_origin_span);
+    way->scans++;
+    return;
+  }
   const gjk2_vec opposite = gjk2_negate(d);
   way->a->shape->type->support(way->a, &d, &out->a);
   way->b->shape->type->support(way->b, &opposite, &out->b);
@@ -162,7 +167,7 @@ void gjk2_way_outermost(gjk2_way *way, bool left, gjk2_span *out) {
   const gjk2_vec across = {-way->d.y, way->d.x};
   const bool exact = plane_is_short(&way->t);
   gjk2_way_scan(way, left ? across : gjk2_negate(across), out);
-  if (!exact && !gjk2_is_curved(way->a->shape) && !gjk2_is_curved(way->b->shape)) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && !exact && !gjk2_is_curved(way->a->shape) && !gjk2_is_curved(way->b->shape)) {
     gjk2_way_outermost_of(way->a, &way->t, left, &out->a);
     gjk2_way_outermost_of(way->b, &way->t, !left, &out->b);
     out->o = gjk2_sub(out->a.offset, out->b.offset);
@@ -171,38 +176,40 @@ void gjk2_way_outermost(gjk2_way *way, bool left, gjk2_span *out) {
 
 // Wide: |t| < 2^32.5 and |o| < 2^29, so t x o is below 2^61.5.
 int64_t gjk2_way_side(const gjk2_way *way, gjk2_vec o) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return way->base;
+  }
   if (way->wide) {
     return way->base + way->t.x * o.y - way->t.y * o.x;
   }
   return gjk_mac32(gjk_mac32(way->base, way->d.x, o.y), -way->d.y, o.x);
 }
 
-static void plane_square(gjk_u192 *out, uint64_t x) {
-  gjk_u192 size;
-  gjk_u192_set(&size, x);
-  gjk_u192_multiply(out, &size, &size);
+// *out = x^2
+GJK_ONE_COPY static void plane_square(uint64_t x, gjk_u128 *out) {
+  const uint32_t high = (uint32_t)(x >> 32), low = (uint32_t)(x & UINT32_MAX);
+  const uint64_t middle = gjk_umul32(high, low), upper = middle << 33;
+  out->low = gjk_umul32(low, low) + upper;
+  out->high = gjk_umul32(high, high) + (middle >> 31) + (out->low < upper);
 }
 
-// Is (2^16 high + low)^2 > radius^2 |t|^2?  |t| < 2^33, radius < 2^32:  both below 2^132
+// Is |2^16 high + low| > radius |t|?  Components of t are below 2^32:  radius |t| < 2^63.9, and each square below 2^128
+// Pre: radius < 2^31.4, that of two shapes and a margin.
 GJK_OUT_OF_LINE static bool plane_is_beside_wide(const gjk2_way *way, gjk2_vec o, int64_t radius) {
   const gjk2_long w = {way->delta.x + o.x, way->delta.y + o.y};  // below 2^33
-  plane_long_sum side = plane_sum_long(way->t.x, w.y, -way->t.y, w.x);
-  if (side.high < 0) {
-    side = plane_sum_long(-way->t.x, w.y, way->t.y, w.x);
+  const plane_long_sum side = plane_sum_long(way->t.x, w.y, -way->t.y, w.x);
+  if (gjk_magnitude64(side.high) >> 48 != 0) {  // at least 2^64 - 2^16
+    // not reached: w is no farther from the line than A - B's centre, whose side is below 2^64; but for rounding
+    return true;
   }
-  gjk_u192 size, digit, sum, left, right, y_squared;
-  gjk_u192_set(&digit, UINT64_C(1) << 16);
-  gjk_u192_set(&sum, gjk_magnitude64(side.high));
-  gjk_u192_multiply(&size, &sum, &digit);
-  gjk_u192_set(&digit, side.low);
-  gjk_u192_add(&size, &digit);
-  gjk_u192_multiply(&left, &size, &size);
-  plane_square(&sum, gjk_magnitude64(way->t.x));
-  plane_square(&y_squared, gjk_magnitude64(way->t.y));
-  gjk_u192_add(&sum, &y_squared);
-  plane_square(&size, (uint64_t)radius);
-  gjk_u192_multiply(&right, &size, &sum);
-  return gjk_u192_compare(&left, &right) > 0;
+  const uint64_t size = ((uint64_t)side.high << 16) + side.low;  // modulo 2^64
+  gjk_u128 left, right, more;
+  plane_square(side.high < 0 ? ~size + 1 : size, &left);
+  plane_square(gjk_magnitude64(way->t.x) * (uint64_t)radius, &right);
+  plane_square(gjk_magnitude64(way->t.y) * (uint64_t)radius, &more);
+  right.low += more.low;
+  right.high += more.high + (right.low < more.low);
+  return right.high < left.high + (right.low < left.low);  // a borrow: the squares are below 2^128 - 2^80
 }
 
 bool gjk2_way_is_beside(const gjk2_way *way, gjk2_vec o, int64_t radius) {
@@ -230,6 +237,24 @@ int gjk2_way_is_ahead(const gjk2_way *way, gjk2_vec o, bool at_end) {
   // Below 2^34, one bit more than plane_sum_long is stated for, which has ten to spare.
   const plane_long_sum sum = plane_sum_long(t->x, x, t->y, y);
   return sum.high < 0 ? -1 : (sum.high != 0 || sum.low != 0);
+}
+
+// Builds for size divide a bit at a time where few shapes are without a radius: the next is three times as fast, and its code
+// five times as large.
+#define PLANE_BY_BITS (GJK_SMALL && GJK_SHAPES <= GJK_SHAPES_ROUND)
+
+static gjk_q30 plane_ratio_by_bits(uint64_t num, uint64_t den, bool *exact) {
+  uint32_t q = 0;
+  for (int i = 0; i < 31; i++) {
+    q <<= 1;
+    if (num >= den) {
+      num -= den;
+      q++;
+    }
+    num <<= 1;  // below 2 den
+  }
+  *exact = num == 0;
+  return (gjk_q30)q;
 }
 
 // With top and bottom for the leading 32 bits of num and den, at the same scale, 2^31 top / bottom is within 4 of the
@@ -261,8 +286,9 @@ static gjk_q30 plane_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t
 }
 
 static void plane_divisor_set(gjk_divisor *divisor, uint64_t den) {
-  const gjk_u128 whole = {0, den};
-  gjk_divisor_set(divisor, &whole);
+  const unsigned zeros = gjk_clz64(den | 1);
+  divisor->inverse = gjk_reciprocal(gjk_upper32(den, zeros));
+  divisor->bits = 64 - zeros;
 }
 
 // Is one division of 64 bits enough? A forged certificate may have no edge to divide: then the longer way has an answer, too.
@@ -271,7 +297,7 @@ static inline bool plane_divides(uint64_t den) {
 }
 
 void gjk2_ratio_set(gjk_divisor *divisor, uint64_t den) {
-  if (!plane_divides(den)) {
+  if (!PLANE_BY_BITS && !plane_divides(den)) {
     plane_divisor_set(divisor, den);
   }
 }
@@ -294,28 +320,40 @@ static inline gjk_q30 plane_divide(uint64_t num, uint64_t den, bool *exact) {
 }
 
 gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
+  if (PLANE_BY_BITS) {
+    return plane_ratio_by_bits(num, den, exact);
+  }
   return plane_divides(den) ? plane_divide(num, den, exact) : plane_ratio_by(divisor, num, den, exact);
 }
 
 gjk_q30 gjk2_ratio(uint64_t num, uint64_t den, bool *exact) {
-  if (plane_divides(den)) {
-    return plane_divide(num, den, exact);
-  }
-  gjk_divisor divisor;
-  plane_divisor_set(&divisor, den);
-  return plane_ratio_by(&divisor, num, den, exact);
+  gjk_divisor divisor = {0, 0};
+  gjk2_ratio_set(&divisor, den);
+  return gjk2_ratio_by(&divisor, num, den, exact);
 }
 
-// The sign of p x - q y.
-GJK_OUT_OF_LINE static int plane_compare_products(uint64_t p, uint64_t x, uint64_t q, uint64_t y) {
-  gjk_u192 left, right, factor, factor2;
-  gjk_u192_set(&factor, p);
-  gjk_u192_set(&factor2, x);
-  gjk_u192_multiply(&left, &factor, &factor2);
-  gjk_u192_set(&factor, q);
-  gjk_u192_set(&factor2, y);
-  gjk_u192_multiply(&right, &factor, &factor2);
-  return gjk_u192_compare(&left, &right);
+// floor(size num / den), a bit at a time. *more: something is cut off. Pre: size < 2^34.
+GJK_OUT_OF_LINE static uint64_t plane_portion_exactly(uint64_t size, const gjk2_portion *portion, bool *more) {
+  const uint64_t num = portion->num, den = portion->den;
+  uint64_t whole = 0, rest = 0;  // rest < den < 2^63, and num <= den
+  for (int i = 0; i < 34; i++) {
+    whole <<= 1;
+    rest <<= 1;
+    if (rest >= den) {
+      rest -= den;
+      whole++;
+    }
+    if ((size >> 33 & 1) != 0) {
+      rest += num;
+      if (rest >= den) {
+        rest -= den;
+        whole++;
+      }
+    }
+    size <<= 1;
+  }
+  *more = rest != 0;
+  return whole;
 }
 
 // 2^30 size num / den lies from size fraction to below size (fraction + 1), and is the former where exact.
@@ -328,13 +366,7 @@ int64_t gjk2_portion_floor_of(const gjk2_portion *portion, int64_t length) {
   uint64_t whole = product >> 30;
   bool more = (product & mask) != 0 || !portion->exact;
   if (!portion->exact && (product & mask) + size > mask + 1) {
-    // An integer lies between: at most 9 of them, since size < 2^33.
-    int sign = plane_compare_products(size, portion->num, whole + 1, portion->den);
-    for (int i = 0; i < 10 && sign >= 0; i++) {
-      whole++;
-      more = sign > 0;
-      sign = plane_compare_products(size, portion->num, whole + 1, portion->den);
-    }
+    whole = plane_portion_exactly(size, portion, &more);  // an integer lies between
   }
   return length > 0 ? (int64_t)whole : -(int64_t)whole - (more ? 1 : 0);
 }

@@ -32,6 +32,9 @@ typedef struct gjk2_span {
   gjk2_vec o;
 } gjk2_span;
 
+// The one vertex of A - B of two points.
+static const gjk2_span gjk2_origin_span = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+
 static inline void gjk2_copy_span(gjk2_span *to, const gjk2_span *from) {
   gjk2_copy_support(&to->a, &from->a);
   gjk2_copy_support(&to->b, &from->b);
