@@ -31,7 +31,6 @@
 #include "../shape/gjk_shape_class.h"
 #include "gjk/distance.h"
 #include "gjk/intersect.h"
-#include "gjk/pose.h"
 #include "gjk_impact_separation.h"
 
 // A query: both bodies, and how near is a hit.
@@ -41,6 +40,7 @@ typedef struct impact_query {
   int64_t radii;    // both convex radii, LSB
   int64_t touched;  // the gap of a hit: margin and tolerance, LSB
   gjk_q30 x;
+  gjk_composer *compose;
 } impact_query;
 
 // Is position within int32 with reach around it?
@@ -65,7 +65,7 @@ static gjk_status start_mover(gjk_mover *m, const gjk_carried *of) {
   m->motion = motion;
   m->own = of->own;
   m->collider.shape = c->shape;
-  m->collider.buffer = c->shape->type->buffered && c->count <= GJK_MOVER_VERTICES ? m->baked : NULL;
+  m->collider.buffer = gjk_is_buffered(c->shape->type) && c->count <= GJK_MOVER_VERTICES ? m->baked : NULL;
   m->collider.local_centre = c->local_centre;
   m->collider.core_radius = c->core_radius;
   m->collider.radius = c->radius;
@@ -124,11 +124,11 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
 }
 
 // Poses a body's collider for a pose of the body. Out of line, as next_x, so that their stack is not that of distances too.
-GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, const gjk_pose *body) {
+GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_composer *compose, const gjk_pose *body) {
   gjk_pose own;
   gjk_set(&body->position, &m->place);
   if (m->own != NULL) {
-    (void)gjk_pose_compose(body, m->own, &own);  // in range, since the arm is
+    (void)compose(body, m->own, &own);  // in range, since the arm is
   }
   (void)gjk_collider_pose(&m->collider, m->own != NULL ? &own : body);
 }
@@ -157,6 +157,9 @@ static unsigned vertices_in(const uint16_t *number, unsigned count) {
 static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_result *gap, gjk_turning *out) {
   const gjk_turning *of_a = &of->pair.mover[0].turning, *of_b = &of->pair.mover[1].turning;
   const gjk_certificate *nearest = &gap->certificate;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return NULL;
+  }
   const unsigned a = vertices_in(nearest->a, nearest->count), b = vertices_in(nearest->b, nearest->count);
   if (a != b) {
     return a > b ? of_a : of_b;
@@ -165,18 +168,18 @@ static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_
 }
 
 // The pose of a body at a fraction. measured: a distance follows, so its collider is posed as well.
-static void pose_mover_at(gjk_mover *m, gjk_q30 fraction, bool measured, gjk_pose *body) {
-  if (!stands(m, fraction)) {
-    gjk_turning_pose(m->motion, &m->turning, fraction, body);
+static void pose_mover_at(impact_query *of, gjk_mover *m, bool measured, gjk_pose *body) {
+  if (!stands(m, of->x)) {
+    gjk_turning_pose(m->motion, &m->turning, of->x, body);
     if (measured) {
-      pose_mover(m, body);
+      pose_mover(m, of->compose, body);
     }
   }
 }
 
 static void pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
-  pose_mover_at(&of->pair.mover[0], of->x, measured, &out->pose_a);
-  pose_mover_at(&of->pair.mover[1], of->x, measured, &out->pose_b);
+  pose_mover_at(of, &of->pair.mover[0], measured, &out->pose_a);
+  pose_mover_at(of, &of->pair.mover[1], measured, &out->pose_b);
 }
 
 // The shapes touch at x, where they are posed.
@@ -256,8 +259,10 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }
 
-gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_impact_result *out) {
+gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_composer *compose,
+                                 gjk_impact_result *out) {
   impact_query query;
+  query.compose = compose;
   gjk_status status = start_mover(&query.pair.mover[0], &of[0]);
   status = status == GJK_OK ? start_mover(&query.pair.mover[1], &of[1]) : status;
   status = status == GJK_OK ? start_impact(&query, setup) : status;
@@ -273,5 +278,5 @@ gjk_status gjk_time_of_impact(const gjk_collider *a, const gjk_motion *motion_a,
     return GJK_ERROR_NULL;
   }
   const gjk_carried of[2] = {{a, motion_a, NULL, 0}, {b, motion_b, NULL, 0}};
-  return gjk_impact_of_carried(of, setup, out);
+  return gjk_impact_of_carried(of, setup, NULL, out);
 }

@@ -3,6 +3,10 @@
 #define GJK_SRC_IMPACT_H
 
 #include "gjk/impact.h"
+#include "gjk/pose.h"
+
+// gjk_pose_compose, so that programs whose bodies carry no shapes do not link it.
+typedef gjk_status gjk_composer(const gjk_pose *a, const gjk_pose *b, gjk_pose *out);
 
 typedef struct gjk_carried {
   const gjk_collider *collider;
@@ -13,6 +17,7 @@ typedef struct gjk_carried {
 
 // As gjk_time_of_impact; pose_a and pose_b of the result are the bodies'. RANGE also if the tolerance does not cover
 // the rounding of poses composed with own. Pre: no pointer but own is NULL.
-gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_impact_result *out);
+gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_composer *compose,
+                                 gjk_impact_result *out);
 
 #endif

@@ -75,20 +75,22 @@ static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
   const gjk_collider *c = &m->collider;
   const gjk_vec3 along = {d->x, d->y, d->z};
   const gjk_shape *shape = c->shape;
-  if (shape->type->buffered && shape->user == NULL && c->buffer == NULL) {
+  if (gjk_is_buffered(shape->type) && shape->user == NULL && c->buffer == NULL) {
     const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
     gjk_long3 carried;
     between(&m->place, &c->position, &carried);
     return gjk_sar64(gjk_dot(&local, v), 22) + (m->own != NULL ? along_q8(d, &carried, false) : 0);
   }
-  gjk_support at;
-  shape->type->support(c, &along, &at);
   gjk_long3 reach;
   between(&m->place, &c->centre, &reach);
-  reach.x += at.offset.x;
-  reach.y += at.offset.y;
-  reach.z += at.offset.z;
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND) {
+    gjk_support at;
+    shape->type->support(c, &along, &at);
+    reach.x += at.offset.x;
+    reach.y += at.offset.y;
+    reach.z += at.offset.z;
+  }
   return along_q8(d, &reach, m->reach >> 31 == 0);
 }
 
@@ -104,14 +106,15 @@ static int64_t extent_towards(const gjk_separation *s, int i, const gjk_unit3 *d
 }
 
 static void start_course(separation_course *of, const gjk_separation *s, int64_t target) {
+  const gjk_turning *carrier = gjk_separation_carrier(s);
   of->of = s;
   of->target = target;
-  if (s->carrier != NULL) {
-    gjk_turning_split(s->carrier, &s->n, &of->split);
+  if (carrier != NULL) {
+    gjk_turning_split(carrier, &s->n, &of->split);
   }
   for (int i = 0; i < 2; i++) {
     const gjk_turning *turning = &s->pair->mover[i].turning;
-    of->is_fixed[i] = s->carrier == turning || (s->carrier == NULL && turning->half_turns == 0);
+    of->is_fixed[i] = carrier == turning || (carrier == NULL && turning->half_turns == 0);
     of->extent[i] = of->is_fixed[i] ? extent_towards(s, i, &s->n) : 0;
   }
 }
@@ -133,9 +136,10 @@ static int64_t extent_after_turn(const gjk_separation *s, int i, gjk_q30 part, c
 static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
   const gjk_separation *s = of->of;
   const gjk_q30 part = fraction - s->start;
+  const gjk_turning *carrier = gjk_separation_carrier(s);
   gjk_unit3 v = s->n;
-  if (s->carrier != NULL) {
-    gjk_turning_join(s->carrier, part, false, &of->split, &v);
+  if (carrier != NULL) {
+    gjk_turning_join(carrier, part, false, &of->split, &v);
   }
   int64_t above = between_positions(of, &v, fraction) - of->target;
   for (int i = 0; i < 2; i++) {
@@ -203,21 +207,22 @@ GJK_ONE_COPY static uint64_t q16_product(uint64_t x, uint32_t y) {
 
 // False: the direction turns, and the bodies are so far apart that its rounding would count.
 static bool set_separation_bounds(separation_bounds *of, const gjk_separation *s) {
+  const gjk_turning *carrier = gjk_separation_carrier(s);
   const uint64_t now = distance_bound(&s->pair->mover[0].place, &s->pair->mover[1].place) + 2, end = s->pair->end;
   of->apart = now > end ? now : end;
   for (int i = 0; i < 2; i++) {
     const gjk_turning *turning = &s->pair->mover[i].turning;
     of->arm[i] = 0;
-    of->angle[i] = s->carrier == turning ? 0 : s->pair->mover[i].angle;
+    of->angle[i] = carrier == turning ? 0 : s->pair->mover[i].angle;
     if (of->angle[i] != 0) {
-      of->arm[i] = s->carrier != NULL
+      of->arm[i] = carrier != NULL
                        ? s->pair->mover[i].reach
                        : (uint32_t)q16_product(s->pair->mover[i].reach, sine_between(&turning->axis, &s->n));
     }
   }
-  of->angle[2] = s->carrier == NULL ? 0 : whole_angle(s->carrier);
-  of->across = s->carrier == NULL ? 0 : sine_between(&s->carrier->axis, &s->n);
-  return s->carrier == NULL || of->apart <= 4 * ((uint64_t)s->pair->mover[0].reach + s->pair->mover[1].reach);
+  of->angle[2] = carrier == NULL ? 0 : whole_angle(carrier);
+  of->across = carrier == NULL ? 0 : sine_between(&carrier->axis, &s->n);
+  return carrier == NULL || of->apart <= 4 * ((uint64_t)s->pair->mover[0].reach + s->pair->mover[1].reach);
 }
 
 // length w^2, Q16, rounded up, in two steps: the second factor alone keeps its fraction. Pre: length < 2^34, w < 2^19.
@@ -227,17 +232,18 @@ static uint64_t times_square(uint64_t length, uint32_t w) {
 
 // c over a part of the way, Q8, rounded up. Pre: no body turns by ANGLE_MAX there.
 GJK_ONE_COPY static uint64_t parabola_over(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
+  const gjk_turning *carrier = gjk_separation_carrier(s);
   uint32_t w[3];  // angles, Q16
   for (int i = 0; i < 3; i++) {
     w[i] = of->angle[i] == 0 ? 0 : (uint32_t)(gjk_umul32(of->angle[i], (uint32_t)part) >> 30) + 1;
   }
   const uint64_t turned_a = q16_product(of->arm[0], w[0]), turned_b = q16_product(of->arm[1], w[1]);
   uint64_t twice = turned_a * w[0] + turned_b * w[1];  // Q16, each term below 2^57
-  if (s->carrier != NULL) {
+  if (carrier != NULL) {
     const uint64_t moved = ((s->pair->way / 16 + 1) * (uint32_t)part >> 26) + 1;
     twice +=
-        times_square(q16_product(of->apart + (s->carrier == &s->pair->mover[0].turning ? 0 : s->pair->mover[0].reach) +
-                                     (s->carrier == &s->pair->mover[1].turning ? 0 : s->pair->mover[1].reach),
+        times_square(q16_product(of->apart + (carrier == &s->pair->mover[0].turning ? 0 : s->pair->mover[0].reach) +
+                                     (carrier == &s->pair->mover[1].turning ? 0 : s->pair->mover[1].reach),
                                  of->across),
                      w[2]) +
         2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];

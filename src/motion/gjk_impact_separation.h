@@ -22,7 +22,11 @@
 #include "gjk_motion.h"
 
 // Hulls of up to this many vertices are baked in each pose, on the stack.
+#if GJK_SHAPES >= GJK_SHAPES_POLYTOPES
 #define GJK_MOVER_VERTICES 8
+#else
+#define GJK_MOVER_VERTICES 1
+#endif
 
 // A body of a query.
 typedef struct gjk_mover {
@@ -55,6 +59,11 @@ typedef struct gjk_separation {
   const gjk_turning *carrier;  // how the direction turns from there on; NULL: it stands still
   int64_t fall;                // an estimate: how much s would fall over the whole way at the rate of the start, Q8
 } gjk_separation;
+
+// A build for points alone has no carrier: their features are a vertex each.
+static inline const gjk_turning *gjk_separation_carrier(const gjk_separation *s) {
+  return GJK_SHAPES >= GJK_SHAPES_ROUND ? s->carrier : NULL;
+}
 
 // The last fraction up to which s is proven to be above target all the way from the start; the start itself if s is not
 // above target there.

@@ -144,7 +144,7 @@ static gjk_status ask_impact(impact_search *s, uint32_t part, bool bound) {
     return status;
   }
   set_carried(&s->of[0], &c, s->motion[0], local.own, s->body.type->reach(s->body.data));
-  status = gjk_impact_of_carried(s->of, s->setup, trial);
+  status = gjk_impact_of_carried(s->of, s->setup, gjk_pose_compose, trial);
   set_carried(&s->of[0], NULL, s->motion[0], NULL, 0);  // the part goes with this call
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
     return status;

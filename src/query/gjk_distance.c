@@ -212,9 +212,28 @@ static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
   return true;
 }
 
+// gjk_distance of points and segments.
+static gjk_status distance_round(const gjk_collider *a, const gjk_collider *b, gjk_distance_result *out) {
+  const gjk_status status = gjk_check_pair(a, b, out);
+  if (status == GJK_OK) {
+    gjk_iteration it;
+    gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
+    const gjk_outcome outcome = gjk_search_whole(&it, GJK_GOAL_DISTANCE, NULL);
+    if (gjk_search_has_ties(&it, GJK_GOAL_DISTANCE, outcome)) {
+      (void)gjk_search_canonical(&it, true);
+    }
+    out->iterations = it.iterations;
+    gjk_distance_report(&it, outcome, true, NULL, out);
+  }
+  return status;
+}
+
 gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_distance_detail detail, gjk_cache *cache,
                              gjk_distance_result *out) {
   const bool points = detail != GJK_DISTANCE_ALONE;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return distance_round(a, b, out);
+  }
   gjk_status status = gjk_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
@@ -233,22 +252,6 @@ gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_d
   }
   gjk_distance_report(&it, outcome, points, cache, out);
   return GJK_OK;
-}
-
-// gjk_distance of points and segments.
-static gjk_status distance_round(const gjk_collider *a, const gjk_collider *b, gjk_distance_result *out) {
-  const gjk_status status = gjk_check_pair(a, b, out);
-  if (status == GJK_OK) {
-    gjk_iteration it;
-    gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
-    const gjk_outcome outcome = gjk_search_whole(&it, GJK_GOAL_DISTANCE, NULL);
-    if (gjk_search_has_ties(&it, GJK_GOAL_DISTANCE, outcome)) {
-      (void)gjk_search_canonical(&it, true);
-    }
-    out->iterations = it.iterations;
-    gjk_distance_report(&it, outcome, true, NULL, out);
-  }
-  return status;
 }
 
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {

@@ -40,7 +40,7 @@ int main(void) {
   const gjk_carried of[2] = {{&a, &motion_a, any_bool() ? &own : NULL, (uint32_t)any_between(0, INT32_MAX)},
                              {&b, &motion_b, any_bool() ? &own : NULL, (uint32_t)any_between(0, INT32_MAX)}};
   gjk_impact_result carried;
-  const int carried_status = gjk_impact_of_carried(of, &setup, &carried);
+  const int carried_status = gjk_impact_of_carried(of, &setup, gjk_pose_compose, &carried);
   check_result(carried_status, &carried);
   return 0;
 }

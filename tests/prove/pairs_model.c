@@ -250,7 +250,9 @@ gjk_status gjk_motion_pose(const gjk_motion *motion, gjk_q30 fraction, gjk_pose 
   return GJK_OK;
 }
 
-gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_impact_result *out) {
+gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_composer *compose,
+                                 gjk_impact_result *out) {
+  (void)compose;
   for (int i = 0; i < 2; i++) {
     //@ assert \valid_read(of[i].collider) && \valid_read(of[i].motion);
     check_size(of[i].collider->local_centre.x, INT64_C(1) << 31);

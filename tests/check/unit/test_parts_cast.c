@@ -148,7 +148,7 @@ static void check_impact(random_state *random, gjk_q16 spread) {
     CHECK(gjk_collider_init(&c, local.shape, NULL, 0) == GJK_OK);
     const gjk_carried of[2] = {{&c, &motion[0], local.own, body.with_tree.reach},
                                {&guest.collider, &motion[1], NULL, 0}};
-    const gjk_status status = gjk_impact_of_carried(of, &setup, &trial);
+    const gjk_status status = gjk_impact_of_carried(of, &setup, gjk_pose_compose, &trial);
     CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
     limited = limited || status != GJK_OK;
     if (status == GJK_OK && trial.hit &&

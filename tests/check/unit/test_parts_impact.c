@@ -61,7 +61,7 @@ static void ask_every_pair(const question *q, gjk_parts_pair *first, gjk_impact_
       CHECK(gjk_collider_init(&c[0], local[0].shape, NULL, 0) == GJK_OK);
       const gjk_carried of[2] = {{&c[0], &q->motion[0], local[0].own, q->a.type->reach(q->a.data)},
                                  {&c[1], &q->motion[1], local[1].own, q->b.type->reach(q->b.data)}};
-      const gjk_status status = gjk_impact_of_carried(of, &q->setup, &trial);
+      const gjk_status status = gjk_impact_of_carried(of, &q->setup, gjk_pose_compose, &trial);
       CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
       if (status == GJK_ERROR_ITERATION_LIMIT) {
         *limited = trial.lower < *limited ? trial.lower : *limited;

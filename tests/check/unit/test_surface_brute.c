@@ -217,7 +217,7 @@ static void check_impact(random_state *random, trial *t, int32_t step) {
     CHECK(gjk_collider_init(&c, local.shape, NULL, 0) == GJK_OK);
     const gjk_carried of[2] = {{&c, &motion[0], local.own, t->parts.type->reach(t->parts.data)},
                                {&t->body.collider, &motion[1], NULL, 0}};
-    CHECK(gjk_impact_of_carried(of, &setup, &one) == GJK_OK);
+    CHECK(gjk_impact_of_carried(of, &setup, gjk_pose_compose, &one) == GJK_OK);
     if (one.hit && (first == GJK_PARTS_NONE || one.lower < best.lower ||
                     (one.lower == best.lower && one.overlap && !best.overlap))) {
       first = i;
