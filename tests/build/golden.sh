@@ -97,14 +97,14 @@ golden_library() {
       library_by_rooms avr "${3#-O2}" "OPT=$3" "SOURCES=$(golden_sources)"
       return
       ;;
-    rv32imc)
-      golden_objects=build/rv32imc-rooms${3#-O2}
-      library_by_rooms rv32imc "-rooms${3#-O2}" "OPT=$3"
+    cortex-m3)  # other tests need it by files
+      golden_objects=build/$1${3#-O2}
+      library "$1" "${3#-O2}" "OPT=$3"
       return
       ;;
-    cortex-*)
-      library "$1" "${3#-O2}" "OPT=$3" || return 1
-      golden_objects=build/$1${3#-O2}
+    cortex-* | rv32imc)
+      golden_objects=build/$1-rooms${3#-O2}
+      library_by_rooms "$1" "-rooms${3#-O2}" "OPT=$3"
       return
       ;;
     *)

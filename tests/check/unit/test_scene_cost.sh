@@ -20,8 +20,9 @@ at_most_times() {
 
 missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -z "${missing# }" ]; then
-  library cortex-m4 '' OPT=-O2 && make -s build/cortex-m4/scene_bench.elf TARGET=cortex-m4 >/dev/null
-  check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4/scene_bench.elf >$build/scene_cost.txt"
+  library_by_rooms cortex-m4 -rooms OPT=-O2 &&
+    make -s build/cortex-m4-rooms/scene_bench.elf TARGET=cortex-m4 VARIANT=-rooms ROOMS=1 WARNINGS= >/dev/null
+  check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4-rooms/scene_bench.elf >$build/scene_cost.txt"
   check '64 bodies sparse' at_most 35000 '64 bodies sparse, 25 % moving'
   check '64 bodies in piles' at_most 70000 '64 bodies in piles, 25 % moving'
   check '64 bodies crowded, two pairs a body' at_most 80000 '64 bodies crowded, 25 % moving'

@@ -24,10 +24,10 @@ host() {
 
 # target NAME
 target() {
-  level=-O2 variant='' few=-DGOLDEN_FEW rooms=
+  level=-O2 variant=-rooms few=-DGOLDEN_FEW rooms='ROOMS=1 WARNINGS='
   case $1 in
-    cortex-m3) few= ;;
-    rv32imc) level=-Os variant=-rooms-Os rooms='ROOMS=1 WARNINGS=' ;;
+    cortex-m3) few='' variant='' rooms='' ;;
+    rv32imc) level=-Os variant=-rooms-Os ;;
   esac
   [ "$all" != all ] || few=
   elf=build/$1$variant/$game.elf

@@ -3,7 +3,7 @@
 # compiler that are listed below. No data that changes, no recursion, and little stack. test_symbols.sh BUILD [all]
 #
 # Without all, Cortex-M7 and -M33, for which the compiler takes the instructions of -M4, are left out, and -M4 at -Os and RV32
-# at -O2; of RV32 at -Os only symbols and data are looked at.
+# at -O2. Of Cortex-M0 and -M4 at -O2 and RV32 at -Os, compiled by folders, only symbols and data are looked at.
 . tests/build/count.sh
 
 # Most bytes of stack of a query, where registers are as wide as the halves of wide integers.
@@ -109,7 +109,8 @@ for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
     esac
     made=library variant=${level#-O2}
     case $2-$target$level in
-      -rv32imc-Os) made=library_by_rooms variant=-rooms-Os ;;  # no other test needs it by files
+      -cortex-m0-O2 | -cortex-m4-O2) made=library_by_rooms variant=-rooms ;;
+      -rv32imc-Os) made=library_by_rooms variant=-rooms-Os ;;
     esac
     objects=build/$target$variant
     check "$target $level compiles" $made $target "$variant" OPT=$level
