@@ -572,7 +572,9 @@ print-%:
 	@echo '$($*)'
 
 .SECONDARY:
+ifeq ($(filter print-%,$(MAKECMDGOALS)),)
 -include $(wildcard $(OUT)/*.d)
 ifeq ($(TARGET),host)
 -include $(shell find build/hosted -name '*.d' 2>/dev/null)
+endif
 endif
