@@ -85,7 +85,8 @@ for architecture in host $golden_linux $golden_cores; do
     printf '\n'
   done
 done
-sh tests/check/unit/test_symbols.sh "$1" all || failed=$((failed + 1))
-sh tests/check/unit/test_scene_golden.sh "$1" all || failed=$((failed + 1))
+for script in symbols size scene_golden; do
+  sh "tests/check/unit/test_$script.sh" "$1" all || failed=$((failed + 1))
+done
 echo "matrix: $same passed, $failed failed, $skipped skipped"
 [ $failed = 0 ] && [ $same -gt 0 ]

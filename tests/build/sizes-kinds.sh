@@ -1,9 +1,9 @@
 #!/bin/sh
-# What a whole program links for Cortex-M3 at -Os, by its kinds of shapes and its query: sizes-kinds.sh BUILD writes two tables in
-# Markdown, BUILD/linked/kinds and BUILD/linked/planekinds. A program is tests/measure/target/size_user.c with a board's start-up
+# What a whole program links for Cortex-M3 at -Os, by its kinds of shapes and its query: sizes-kinds.sh BUILD [LEVELS] writes two
+# tables in Markdown, BUILD/linked/kinds and BUILD/linked/planekinds, or their rows of such levels of GJK_SHAPES. A program is tests/measure/target/size_user.c with a board's start-up
 # code, posing and libgcc, and the library built for no more kinds than it has.
 . tests/build/count.sh
-build=$1
+build=$1 levels=${2:-POINTS ROUND BOXES POLYTOPES ALL}
 out=$build/linked
 variant=$(variant_of "$build")
 mkdir -p "$out"
@@ -46,6 +46,7 @@ level_suffix() {
 row() {
   label=$1 of_level=$2 of_kind=$3
   shift 3
+  case " $levels " in *" $of_level "*) ;; *) return ;; esac
   printf '| %s | `GJK_SHAPES_%s`' "$label" "$of_level"
   for of_query in $queries; do
     case $of_level-$of_query$* in
@@ -61,9 +62,12 @@ heading() {
   echo '|---|---|---|---|---|---|---|---|---|'
 }
 
-library cortex-m3 "$variant-Os" OPT=-Os || exit 1
-for level in POINTS ROUND BOXES POLYTOPES; do
-  level_library "$variant" $level || exit 1
+for level in $levels; do
+  if [ "$level" = ALL ]; then
+    library cortex-m3 "$variant-Os" OPT=-Os || exit 1
+  else
+    level_library "$variant" "$level" || exit 1
+  fi
 done
 {
   heading 'space'
