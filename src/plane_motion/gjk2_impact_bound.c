@@ -180,11 +180,12 @@ static int64_t plane_step_turning(const gjk2_impact *s, const gjk2_vertex *p, co
   const int64_t more_likely = likely + likely / 2, least = more_likely < s->half ? more_likely : s->half,
                 most = least < GJK_Q30_ONE ? least : (int64_t)GJK_Q30_ONE + 1;
   const int64_t tangent = gjk_sar64((int64_t)sum * (most < GJK_Q30_ONE ? most : GJK_Q30_ONE), 24);  // below 2^53, 2^29
-  // The frame's angle: that of A where the edge is A's, of B where it is B's.
+  // The frame's angle: that of A where the edge is A's, of B where it is B's. Places are compared: of vertices at one place
+  // any may be named.
   int64_t frame = 0;
   if (p != q) {
-    frame = p->a.vertex != q->a.vertex ? angle_a : 0;
-    frame = frame == 0 && p->b.vertex != q->b.vertex ? angle_b : frame;
+    frame = !gjk2_equal(p->a.offset, q->a.offset) ? angle_a : 0;
+    frame = frame == 0 && !gjk2_equal(p->b.offset, q->b.offset) ? angle_b : frame;
   }
   int64_t rate = r->closing;
   uint64_t bend = 1;

@@ -37,7 +37,9 @@ static void make_shape(random_state *random, body *b, int32_t size) {
   b->shape = kinds[choices[random_below(random, sizeof choices)]];
   b->shape.size.x = random_range(random, 1, size);
   b->shape.size.y = random_range(random, 1, size);
-  b->shape.size.z = random_range(random, 1, size);
+  const bool may_be_flat = b->shape.type == &gjk_class_segment || b->shape.type == &gjk_class_box;
+  b->shape.size.z =
+      may_be_flat && random_below(random, 4) == 0 ? 0 : random_range(random, 1, size);  // corners at one place
   b->shape.vertices = b->vertices;
   b->shape.count = (uint16_t)(b->shape.type == &gjk_class_triangle ? 3 : 1 + random_below(random, VERTICES));
   const int32_t grid = random_below(random, 4) == 0 ? size / 2 + 1 : 1;  // coarse: ties, and parallel faces

@@ -51,12 +51,14 @@ static int32_t random_spin(random_state *random, int32_t most) {
 static void make_shape(random_state *random, body *b, int32_t size) {
   static const gjk2_shape kinds[] = {GJK2_POINT,     GJK2_SEGMENT(0),    GJK2_TRIANGLE(0),
                                      GJK2_BOX(0, 0), GJK2_POLYGON(0, 0), GJK2_ELLIPSE(0, 0)};
-  // Boxes and polygons are chosen more often.
-  static const uint8_t choices[] = {0, 1, 2, 3, 3, 3, 4, 4, 4, 4, 5};
+  // Segments, boxes and polygons are chosen more often.
+  static const uint8_t choices[] = {0, 1, 1, 2, 3, 3, 3, 4, 4, 4, 4, 5};
   b->shape = kinds[choices[random_below(random, sizeof choices)]];
   const bool has_length = b->shape.type != &gjk2_class_point;
   const bool has_width = has_length && b->shape.type != &gjk2_class_segment;
-  b->shape.size.x = has_length ? random_range(random, 1, size) : 0;
+  const bool flat =
+      has_length && b->shape.type != &gjk2_class_ellipse && random_below(random, 4) == 0;  // corners at one place
+  b->shape.size.x = has_length && !flat ? random_range(random, 1, size) : 0;
   b->shape.size.y = has_width ? random_range(random, 1, size) : 0;
   b->shape.vertices = b->vertices;
   b->shape.count = (uint16_t)(b->shape.type == &gjk2_class_triangle ? 3 : 1 + random_below(random, VERTICES));
