@@ -40,13 +40,13 @@ whole() {
   rm -f "$dir/all.a" && ar rcs "$dir/all.a" $members $ceilings_objects
 }
 
-# run ITERATIONS CELLS SOURCE ARGUMENTS...: half of a test with that ceiling, its worlds in so many cells
+# run ITERATIONS CELLS SOURCE ARGUMENTS...: 30 % of a test with that ceiling, its worlds in so many cells
 run() {
   iterations=$1 cells=$2 source=$3
   program=$dir/$(basename "$source" .c)
   shift 3
   [ -e "$program" ] || { object "$source" && ${CC:-cc} "$object" "$dir/all.a" -lm -lpthread -o "$program"; } || return 1
-  GJK_TEST_ITERATIONS=$iterations GJK_TEST_CELLS=$cells GJK_TEST_PERCENT=${GJK_TEST_PERCENT:-50} "$program" "$@"
+  GJK_TEST_ITERATIONS=$iterations GJK_TEST_CELLS=$cells GJK_TEST_PERCENT=${GJK_TEST_PERCENT:-30} "$program" "$@"
 }
 
 rm -f "$dir"/*
@@ -64,7 +64,7 @@ done
 
 # concave ITERATIONS: a few games with concave bodies
 concave() (
-  export GJK_TEST_PERCENT=25
+  export GJK_TEST_PERCENT=15
   run "$1" 60 tests/check/unit/test_concave_hostile.c
 )
 

@@ -46,8 +46,8 @@ worst() {
 check 'the search is built anew' sh -c "echo '$sources' | grep -q gjk_search.c"
 check 'and what has a part of it in line' sh -c "echo '$sources' | grep -q gjk_intersect.c"
 check 'remembering from iteration 1' certified 1 200 71 20000
-check 'remembering from iteration 2, three steps among the seen' certified 2 3 72 2000
-check 'remembering from iteration 1, all features tried each time' certified 1 0 73 1500
+check 'remembering from iteration 2, three steps among the seen' certified 2 3 72 1000
+check 'remembering from iteration 1, all features tried each time' certified 1 0 73 800
 check 'the most expensive pairs, remembering from iteration 1' worst 1 200
 check 'the most expensive pairs, one step among the seen' worst 16 1
 finish search
