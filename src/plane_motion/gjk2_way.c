@@ -198,9 +198,8 @@ GJK_ONE_COPY static void plane_square(uint64_t x, gjk_u128 *out) {
 GJK_OUT_OF_LINE static bool plane_is_beside_wide(const gjk2_way *way, gjk2_vec o, int64_t radius) {
   const gjk2_long w = {way->delta.x + o.x, way->delta.y + o.y};  // below 2^33
   const plane_long_sum side = plane_sum_long(way->t.x, w.y, -way->t.y, w.x);
-  if (gjk_magnitude64(side.high) >> 48 != 0) {  // at least 2^64 - 2^16
-    // not reached: w is no farther from the line than A - B's centre, whose side is below 2^64; but for rounding
-    return true;
+  if (gjk_magnitude64(side.high) >> 48 != 0) {  // at least 2^64 - 2^16, and radius |t| < 2^63.9
+    return true;                                // not reached: w is hardly farther from the line than A - B's centre
   }
   const uint64_t size = ((uint64_t)side.high << 16) + side.low;  // modulo 2^64
   gjk_u128 left, right, more;
@@ -286,8 +285,9 @@ static gjk_q30 plane_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t
 }
 
 static void plane_divisor_set(gjk_divisor *divisor, uint64_t den) {
-  const unsigned zeros = gjk_clz64(den | 1);
-  divisor->inverse = gjk_reciprocal(gjk_upper32(den, zeros));
+  const uint64_t divided = den != 0 ? den : 1;  // see plane_divides
+  const unsigned zeros = gjk_clz64(divided);
+  divisor->inverse = gjk_reciprocal(gjk_upper32(divided, zeros));
   divisor->bits = 64 - zeros;
 }
 
