@@ -450,7 +450,8 @@ demo-platform:
 
 demo-parts:
 	+@$(PARALLEL) build/gjk-demo-parts
-	build/gjk-demo-parts tests/data/meshes build/parts.svg
+	@mkdir -p build/meshes && cp tests/data/meshes/*.obj build/meshes && awk -f tests/data/meshes/torus.awk >build/meshes/torus.obj
+	build/gjk-demo-parts build/meshes build/parts.svg
 
 demo-plane:
 	+@$(PARALLEL) build/gjk-demo-plane

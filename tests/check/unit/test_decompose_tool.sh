@@ -236,5 +236,10 @@ for options in '--excess' '--excess -1' '--excess x' '--parts 0' '--parts 1.5' '
   check "options $options: status" 2 $?
 done
 
+# The picture of three such solids.
+make -s demo-parts >"$work/demo.txt" 2>&1
+check 'make demo-parts: status' 0 $?
+check 'make demo-parts: the solids' 3 "$(grep -c ' parts, excess .* contacts$' "$work/demo.txt")"
+
 echo "decompose_tool: $passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
