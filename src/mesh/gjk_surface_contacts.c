@@ -19,9 +19,9 @@
 #include "gjk/mesh.h"
 #include "gjk_surface_face.h"
 
-// A corner that is at most this far beyond the plane across a normal, for each LSB of its distance |x| + |y| + |z| and
-// in Q30, counts as in that plane. Normals are reported within 2^-28, and rounded outward; those of curved shapes are
-// rough.
+// A corner this far beyond the plane across a normal still counts as in that plane. The slack is Q30, for each LSB of
+// the corner's distance |x| + |y| + |z|. Normals are reported within 2^-28, and rounded outward; those of curved shapes
+// are rough.
 #define NORMAL_SLACK 8
 #define NORMAL_SLACK_CURVED (INT32_C(1) << 20)
 

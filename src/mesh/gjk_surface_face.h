@@ -40,8 +40,8 @@ bool gjk_face_is_aside(const gjk_collider *body, gjk_q16 margin, const gjk_surfa
 // Does a point, relative to the body's centre, lie over the triangle? Along the plane's direction of 30 bits, exact.
 bool gjk_face_is_over(const gjk_surface_face *f, const gjk_vec3 *point);
 
-// Does the deepest point lie over the triangle, up to the rounding of its corners? Each is off by less than an LSB,
-// which tilts a triangle of 128 LSB by 1/64. So a point above an edge that is flat up to that may lie over neither
+// Does the deepest point lie over the triangle, up to the rounding of its corners? Each corner is off by less than an
+// LSB, which tilts a triangle of 128 LSB by 1/64. Above an edge no sharper than that, a point may lie over neither
 // side. Pre: the height is at most 2^28 + GJK_FACE_LEVEL.
 bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f);
 

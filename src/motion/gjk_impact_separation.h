@@ -74,8 +74,8 @@ static inline const gjk_turning *gjk_separation_carrier(const gjk_separation *s)
 // If the direction would turn too far away from the bodies, s->carrier becomes NULL.
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough);
 
-// The last fraction up to which the bodies' spheres, about the positions of their poses, are surely more than target
-// apart along the direction from A to B at the start of the way; 0 if they are not at the start. target as above.
+// The bodies have spheres about the positions of their poses. Up to this fraction the spheres are surely more than
+// target apart, along the direction from A to B at the start. 0 if they are not at the start. target as above.
 gjk_q30 gjk_separation_of_spheres(const gjk_movers *pair, int64_t target);
 
 // An estimate of s->fall for points of A and B that are nearest to each other at the start.

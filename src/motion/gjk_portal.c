@@ -13,8 +13,8 @@
 //   Step 6   If no vertex is, the plane bounds A - B: FACET.
 //
 // Ties are common in games: a line through an edge or a corner, or along a face. Steps 4 to 6 decide them as if the
-// line were moved by e w_i + e^2 w_j, for an e smaller than any number, where w_i and w_j are vertices of the first
-// triangle, chosen so that it moves into the triangle. Then no sign is 0, each step strictly lowers where the moved
+// line were moved by e w_i + e^2 w_j, for an e smaller than any number. The vertices w_i and w_j of the first triangle
+// are chosen so that the line moves into the triangle. Then no sign is 0, each step strictly lowers where the moved
 // line meets the plane, and no triangle returns. The plane that bounds A - B where the moved line enters also does
 // where the line does.
 //

@@ -1,7 +1,7 @@
 // A shape swept along a way: the convex hull of its place at the start and at the end.
 //
-// Two shapes come within a distance of each other on the way exactly if one of them is within that distance of the
-// other, swept along its way against the first. Queries answer that as for any pair, exactly for polytopes.
+// Sweep one shape along its way against the other. The shapes come within a distance on the way exactly if the swept
+// shape is within that distance of the other. Queries answer that as for any pair, exactly for polytopes.
 #ifndef GJK_SRC_SWEPT_H
 #define GJK_SRC_SWEPT_H
 

@@ -4,8 +4,8 @@
 // 2. Grow it by the distance asked about. The caller may lower the distance while it walks.
 // 3. On a way, the region is what the box covers up to a fraction. The caller may lower the fraction while it walks.
 //
-// A box is outside if it is apart along an axis of the frame or, on a way, along an axis across the way and one of the
-// frame's (the separating axes of a segment and a box). What is outside stays outside as the region is cut, and so does
+// A box is outside if an axis of the frame separates it from the region. On a way, axes across the way and one of the
+// frame's count too: the separating axes of a segment and a box. What is outside stays outside as the region is cut, and so does
 // all that its box holds. So every walk meets the boxes of its final region, whatever its order, and perhaps others.
 #ifndef GJK_SRC_REGION_H
 #define GJK_SRC_REGION_H

@@ -49,8 +49,7 @@ missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -n "${missing# }" ]; then
   echo "no figures for Cortex-M4: needs $missing"
 else
-  make -s build/cortex-m4/scene_bench.elf TARGET=cortex-m4 >/dev/null || exit 1
-  sh tests/build/emulate.sh cortex-m4 build/cortex-m4/scene_bench.elf >"$build/bench-scene-m4.txt" || exit 1
+  count_on_core cortex-m4 scene_bench '' >"$build/bench-scene-m4.txt" || exit 1
   awk -F'|' '
     BEGIN { printf "%-36s%10s%10s%28s\n", "instructions per tick, Cortex-M4", "mean", "worst", "pairs, of them queried" }
     { printf "%-36s%10d%10d%20d %7d\n", $1, $2, $3, $4, $9 + $10 }' "$build/bench-scene-m4.txt"

@@ -188,7 +188,11 @@ variant_of() {
   echo "${1#build}" | tr / -
 }
 
-# Runs a program of tests/measure/target on an emulated core: count_on_core TARGET PROGRAM VARIANT
+# Runs a program of tests/measure/target on an emulated core: count_on_core TARGET PROGRAM VARIANT NAME=VALUE..., with these
+# variables of the Makefile
 count_on_core() {
-  make -s "build/$1$3/$2.elf" TARGET="$1" VARIANT="$3" >/dev/null && sh tests/build/emulate.sh "$1" "build/$1$3/$2.elf"
+  core_target=$1 core_program=$2 core_variant=$3
+  shift 3
+  make -s "build/$core_target$core_variant/$core_program.elf" "TARGET=$core_target" "VARIANT=$core_variant" "$@" >/dev/null &&
+    sh tests/build/emulate.sh "$core_target" "build/$core_target$core_variant/$core_program.elf"
 }

@@ -11,8 +11,7 @@ count() {
     *) variant=-rooms rooms='ROOMS=1 WARNINGS=' ;;
   esac
   # shellcheck disable=SC2086
-  library "$1" "$variant" OPT=-O2 $rooms && make -s "build/$1$variant/$2.elf" TARGET="$1" VARIANT=$variant OPT=-O2 $rooms >/dev/null &&
-    sh tests/build/emulate.sh "$1" "build/$1$variant/$2.elf" >"$figures"
+  library "$1" "$variant" OPT=-O2 $rooms && count_on_core "$1" "$2" "$variant" OPT=-O2 $rooms >"$figures"
 }
 
 # near COLUMN ROW LINE FIELD: in its row the column is within 3 % of that field of the first line counted that begins so

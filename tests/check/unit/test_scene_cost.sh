@@ -20,9 +20,11 @@ at_most_times() {
 
 missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -z "${missing# }" ]; then
-  library_by_rooms cortex-m4 -rooms OPT=-O2 &&
-    make -s build/cortex-m4-rooms/scene_bench.elf TARGET=cortex-m4 VARIANT=-rooms ROOMS=1 WARNINGS= >/dev/null
-  check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4-rooms/scene_bench.elf >$build/scene_cost.txt"
+  cases_run() {
+    library_by_rooms cortex-m4 -rooms OPT=-O2 &&
+      count_on_core cortex-m4 scene_bench -rooms ROOMS=1 WARNINGS= >"$build/scene_cost.txt"
+  }
+  check 'the cases run' cases_run
   check '64 bodies sparse' at_most 35000 '64 bodies sparse, 25 % moving'
   check '64 bodies in piles' at_most 70000 '64 bodies in piles, 25 % moving'
   check '64 bodies crowded, two pairs a body' at_most 80000 '64 bodies crowded, 25 % moving'
