@@ -22,6 +22,12 @@ MANIFOLDS_LEVELS=keep_contacts:50,join_manifold:20,reduce_manifold:20,take_manif
 report_manifolds:50,gjk_parts_manifolds:50,gjk_parts_both_manifolds:50,main:50,ask:50
 CAST_LEVELS=main:50,ask:100,gjk_parts_cast:200,gjk_parts_both_cast:200,gjk_parts_cast_ray:200,gjk_parts_both_open:100,set_way_of_a:100,\
 cast_against:200,cast_part:100,start_region:100,gjk_parts_frame_set:50
+SHAPE_LEVELS=measure_vertices:2,size_of:1,bound_vertices:2,gjk_collider_aabb:4,support_axes:8,turned_vertex:8,refine_axes:8,\
+refine_posed:60,refine_lazy:60,support_lazy:20
+SURFACE_LEVELS=gjk_surface_settle:2,gjk_face_is_aside:2,gjk_face_is_pierced:2,gjk_face_is_pointed:2,gjk_face_is_over:2,gjk_face_set:10,\
+gjk_face_turn:2,relate:2,relate_axis:2,moved_along:2,pulled:2,has_corner:2,reaches_deepest:2,corners_that_meet:8,is_beyond_plane:2
+POLYGON_LEVELS=load_face:2,is_broad:2,set_polygon_normal:2,gjk_polygon_from_hull:20,gjk_polygon_settle:20,keep_edge:4,gjk_polygon_lift:2,\
+lift_face:4,lift_edge:4,finish_polygon:20,gjk_contact_polygon:20,check_polygon:20,ask:20
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
@@ -57,6 +63,7 @@ cases() {
   for call in BUILD CHECK WALK FIELD; do
     echo mesh-$call
   done
+  echo big-x
   echo region-x
   for query in NEAR DISTANCE DEPTH CONTACTS MANIFOLDS CAST IMPACT; do
     echo parts-$query
@@ -228,6 +235,7 @@ set_up() {
     polygon)
       sources=$(echo src/contact/gjk_*polygon*.c)
       room arith height_key root rotation unit vector wide && room shape curved disc_base && set -- "$1" -eva-slevel 200
+      [ "$instance" != HULL ] || set -- "$@" -eva-slevel-function "$POLYGON_LEVELS"
       ;;
     witness) models=simplex && room arith wide && room gjk witness && set -- "$1" -eva-slevel 200 ;;
     query)
@@ -317,6 +325,8 @@ set_up() {
       models=hull_table sources=$(echo src/shape/*.c | sed 's|src/shape/gjk_hull_table[.]c||')
       room arith root rotation unit vector wide && room place aabb collider && room gjk close simplex
       set -- "$1" -eva-slevel 200
+      # Which vertices or half axes bound a box, and which are as far, is too much to keep apart.
+      case $instance in BOX | BAKED) set -- "$@" -eva-slevel-function "$SHAPE_LEVELS" ;; esac
       ;;
     hull_table)
       room shape hull_table
@@ -345,8 +355,12 @@ set_up() {
       models='penetration contact_polygon clip reduce' && room query contacts
       set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
       ;;
-    clip) room arith vector wide && room contact clip flat && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
-    reduce) room contact reduce && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
+    clip)
+      level=5
+      [ "$instance" != 3 ] || level=1
+      room arith vector wide && room contact clip flat && set -- "$1" -eva-slevel $level -eva-min-loop-unroll 24
+      ;;
+    reduce) room contact reduce && set -- "$1" -eva-slevel 1 -eva-min-loop-unroll 24 ;;
     hull_build | hull_grow | hull_facets | hull_check)
       sources=$(echo src/hull/*.c) && room arith vector wide
       level=50
@@ -354,6 +368,7 @@ set_up() {
         hull_grow) level=2000 ;;
         hull_facets) level=5 ;;
         hull_build) models='hull_grow hull_facets' ;;
+        hull_check) [ "$instance" != 0 ] || level=10 ;;
       esac
       set -- "$1" -eva-slevel $level
       [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
@@ -363,7 +378,13 @@ set_up() {
       sources="$(echo src/mass/*.c src/arith/*.c | sed 's|src/mass/gjk_mass_hull[.]c||') src/place/gjk_pose.c src/query/gjk_status.c"
       defines="$defines -DPROVE_COPY_BODY"
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+      [ "$instance" != ROUND ] || models='big big_angle'
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
+      ;;
+    big)
+      room arith big big_angle wide
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      set -- "$1" -eva-slevel 5
       ;;
     bind)
       # Of the classes only the addresses matter.
@@ -389,6 +410,7 @@ set_up() {
       case $instance in
         *MANIFOLDS) set -- "$@" -eva-slevel 5 -eva-min-loop-unroll 24 -eva-slevel-function "$MANIFOLDS_LEVELS" ;;
         NEAR | DISTANCE | DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        CAST_AHEAD) set -- "$@" -eva-slevel 10 ;;
         *CAST* | RAY) set -- "$@" -eva-slevel 20 -eva-slevel-function "$CAST_LEVELS" ;;
         BOTH*) set -- "$@" -eva-slevel 20 ;;
         *) set -- "$@" -eva-slevel 100 ;;
@@ -403,7 +425,7 @@ set_up() {
       models='region rotation place pairs manifold'
       sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
-      set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
+      set -- "$1" -eva-slevel 50 -eva-slevel-function $SURFACE_LEVELS -eva-interprocedural-splits
       ;;
     quotient) room arith wide && room motion quotient && set -- "$1" -eva-slevel 200 ;;
     way) room motion spheres way && set -- "$1" -eva-slevel 200 ;;
