@@ -28,6 +28,7 @@ SURFACE_LEVELS=gjk_surface_settle:2,gjk_face_is_aside:2,gjk_face_is_pierced:2,gj
 gjk_face_turn:2,relate:2,relate_axis:2,moved_along:2,pulled:2,has_corner:2,reaches_deepest:2,corners_that_meet:8,is_beyond_plane:2
 POLYGON_LEVELS=load_face:2,is_broad:2,set_polygon_normal:2,gjk_polygon_from_hull:20,gjk_polygon_settle:20,keep_edge:4,gjk_polygon_lift:2,\
 lift_face:4,lift_edge:4,finish_polygon:20,gjk_contact_polygon:20,check_polygon:20,ask:20
+IMPACT_LEVELS=gjk_time_of_impact:100,gjk_impact_of_carried:100,start_mover:100,start_impact:100,advance_impact:4,next_x:4,carrier_of:8,pose_both:4
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
@@ -435,6 +436,8 @@ set_up() {
     portal)
       sources=$(echo src/motion/gjk_portal*.c) && room arith vector wide
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
+      # The outcomes of its turns are too many to keep apart.
+      [ "$instance" = CHECK ] || set -- "$1" -eva-slevel 10 -eva-slevel-function grow_portal:2,follow_line:2,look_beyond:2
       ;;
     cast)
       models='portal quotient advance within'
@@ -446,9 +449,11 @@ set_up() {
       models=motion && room arith root rotation
       case $driver in
         separation) room arith unit vector wide && room motion impact_separation && room place pose && room shape scan ;;
-        impact) models='motion impact_separation distance' && room motion impact && room place collider pose ;;
+        impact) models='motion impact_separation distance' && room motion impact && room place collider ;;
       esac
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
+      # The outcomes of its turns are too many to keep apart.
+      [ "$driver" = separation ] || set -- "$1" -eva-slevel 30 -eva-slevel-function "$IMPACT_LEVELS"
       ;;
     gap)
       models='simplex iteration search' && room arith root unit wide && room gjk frame && room motion gap

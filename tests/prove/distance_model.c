@@ -1,9 +1,24 @@
-// Stands in for src/query/gjk_distance.c under the time of impact: any result, as tests/prove/query.c shows.
-#include "gjk/distance.h"
+// Stands in for src/query/gjk_distance.c and gjk_intersect.c under the time of impact: any result, as tests/prove/query.c
+// shows.
+#include "src/query/gjk_distance.h"
 
 #include "colliders.h"
+#include "gjk/intersect.h"
 
-gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
+                      gjk_decision *out) {
+  //@ assert a->state == GJK_STATE_POSED && b->state == GJK_STATE_POSED;
+  //@ assert distance >= 0 && cache == \null;
+  if (any_bool()) {
+    return GJK_ERROR_ITERATION_LIMIT;
+  }
+  out->yes = any_bool();
+  return GJK_OK;
+}
+
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_distance_detail detail, gjk_cache *cache,
+                             gjk_distance_result *out) {
+  //@ assert detail == GJK_DISTANCE_BY_SCANS;
   //@ assert a->state == GJK_STATE_POSED && b->state == GJK_STATE_POSED;
   //@ assert \initialized(&cache->count);
   const int32_t count = any_between(1, 3), touching = any_between(0, 1);

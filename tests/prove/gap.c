@@ -4,6 +4,19 @@
 
 #include "gaps.h"
 
+static bool any_close(gjk_iteration *it) {
+  return any_bool();
+}
+
+// As boxes, which the search may close without an iteration.
+static const gjk_shape_class closing = {.measure = any_measure,
+                                        .pose = keep_pose,
+                                        .support = any_support,
+                                        .refine = any_refine,
+                                        .vertex = any_vertex_of,
+                                        .close = any_close,
+                                        .kind = GJK_KIND_AXES};
+
 static void read(gjk_gap *gap) {
   const gjk_slope slope = gjk_gap_slope(gap);
   check_size(slope.low, INT64_C(1) << 62);
@@ -21,8 +34,13 @@ int main(void) {
   gjk_collider a = {0}, b = {0};
   gjk_way way;
   gjk_gap gap;
-  any_collider(&a, &shapes[0], CASE == 0 ? &polytope : &curved);
-  any_collider(&b, &shapes[1], CASE == 0 || any_bool() ? &polytope : &curved);
+#if CASE == 0
+  any_collider(&a, &shapes[0], any_bool() ? &polytope : &closing);
+  any_collider(&b, &shapes[1], any_bool() ? &polytope : &closing);
+#else
+  any_collider(&a, &shapes[0], &curved);
+  any_collider(&b, &shapes[1], any_bool() ? &polytope : &curved);
+#endif
   any_way(&way);
   gjk_gap_start(&gap, &a, &b, &way, Frama_C_long_long_interval(0, 2 * (int64_t)GJK_RADIUS_MAX + INT32_MAX));
   for (int i = 0; i < 2; i++) {

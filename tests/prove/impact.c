@@ -19,6 +19,13 @@ static void check_result(int status, const gjk_impact_result *r) {
   }
 }
 
+// A carried shape's own rotation is a unit, and where its body takes it is in range (gjk_impact.h): this never fails.
+static gjk_status compose(const gjk_pose *body, const gjk_pose *own, gjk_pose *out) {
+  //@ assert \initialized(body) && \initialized(own);
+  *out = any_pose();
+  return GJK_OK;
+}
+
 int main(void) {
   gjk_shape shapes[2] = {0};
   gjk_collider a = {0}, b = {0};
@@ -40,7 +47,7 @@ int main(void) {
   const gjk_carried of[2] = {{&a, &motion_a, any_bool() ? &own : NULL, (uint32_t)any_between(0, INT32_MAX)},
                              {&b, &motion_b, any_bool() ? &own : NULL, (uint32_t)any_between(0, INT32_MAX)}};
   gjk_impact_result carried;
-  const int carried_status = gjk_impact_of_carried(of, &setup, gjk_pose_compose, &carried);
+  const int carried_status = gjk_impact_of_carried(of, &setup, compose, &carried);
   check_result(carried_status, &carried);
   return 0;
 }
