@@ -440,7 +440,8 @@ static gjk_status plane_advance_run(gjk2_advancing *s, bool measured, gjk2_cast_
     const gjk_q30 before = s->fraction;
     if (plane_advance_round(s, &bound)) {
       if (s->open && bound != GJK2_BOUND_BEYOND &&
-          (bound == GJK2_BOUND_AWAY || s->gap.upper > s->margin + PLANE_CURVED_GAP)) {
+          (bound == GJK2_BOUND_AWAY || s->gap.upper == GJK2_DISTANCE_MAX ||
+           s->gap.upper - PLANE_CURVED_GAP > s->margin)) {
         return GJK_ERROR_ITERATION_LIMIT;
       }
       if (bound != GJK2_BOUND_AT && s->curved) {

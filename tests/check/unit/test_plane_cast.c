@@ -671,6 +671,38 @@ static void test_diagonal(void) {
   }
 }
 
+// A support that reaches farther with each call: no search for a distance ends.
+static void growing_support(const void *user, const gjk2_vec *d, gjk2_vec *out) {
+  static int32_t calls;
+  (void)user;
+  const int32_t reach = 200 * (calls++ % 700);
+  out->x = d->x > 0 ? reach : -reach;
+  out->y = d->y > 0 ? reach : -reach;
+}
+
+// Distances that stay open, with margins up to the largest: the sanitisers see the sums.
+static void test_open_margins(void) {
+  static const gjk2_shape growing = GJK2_CUSTOM(growing_support, NULL, 200000);
+  const gjk2_vec start[2] = {{-2000000000, 0}, {2000000000, 0}};
+  gjk2_collider c[2];
+  gjk2_cast_result out;
+  gjk2_distance_result gap;
+  unsigned open = 0;
+  for (int i = 0; i < 2; i++) {
+    gjk2_pose pose = GJK2_POSE_IDENTITY;
+    pose.position = start[i];
+    CHECK(gjk2_collider_init(&c[i], &growing, NULL, 0) == GJK_OK && gjk2_collider_pose(&c[i], &pose) == GJK_OK);
+  }
+  for (int k = 0; k < 80; k++) {
+    const gjk2_vec to = {k / 8 * 100000000, 0};
+    const gjk2_cast_path path = {NULL, &to, INT32_MAX - k % 8};
+    const gjk_status status = gjk2_cast(&c[0], &c[1], &path, &out);
+    CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
+    open += gjk2_distance(&c[0], &c[1], NULL, &gap) == GJK_ERROR_ITERATION_LIMIT;
+  }
+  CHECK(open > 0);
+}
+
 static void test_statuses(void) {
   static const gjk2_shape box = GJK2_BOX(100, 50);
   gjk2_collider a = {0}, b = {0};
@@ -726,6 +758,7 @@ int main(void) {
   test_circles(&r);
   test_rays(&r);
   test_diagonal();
+  test_open_margins();
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
   CHECK(grazing.hits > TRIALS / 20 && grazing.misses > TRIALS / 40);
