@@ -187,6 +187,8 @@ plane_cases() {
   for kinds in 0 1 2; do
     echo plane_advance-$kinds
   done
+  echo plane_face-0
+  echo plane_face-1
   for kind in CHAIN HEIGHTS TILES; do
     echo plane_ground-$kind
   done
@@ -194,10 +196,10 @@ plane_cases() {
   echo plane_impact-0
   echo plane_impact-1
   for query in WITHIN WITHIN_UNTIL DISTANCE_CURVED DISTANCE_MIXED DISTANCE_POLYGONS UNTIL PENETRATION SIGNED_CURVED SIGNED_MIXED \
-    SIGNED_POLYGONS CONTACTS CHECK_DECISION CHECK_DISTANCE \
-    CHECK_PENETRATION; do
+    SIGNED_POLYGONS CHECK_DECISION CHECK_DISTANCE CHECK_PENETRATION; do
     echo plane_query-$query
   done
+  echo plane_contacts-x
 }
 
 # int32: a 32-bit machine with a long multiplication; int16: an int of 16 bits, products in halves.
@@ -297,9 +299,14 @@ set_up() {
           sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_check_cast.c src/plane_motion/gjk2_entry.c"
           ;;
         plane_advance*)
-          level=10 models='plane_distance plane_search'
+          level=2 models='plane_distance plane_face'
           sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c \
-            $(echo src/plane_motion/gjk2_advance*.c) src/plane/gjk2_canonical.c src/plane/gjk2_hull.c"
+            src/plane_motion/gjk2_advance.c src/plane_motion/gjk2_advance_place.c"
+          ;;
+        plane_face*)
+          level=10 models='plane_distance plane_search'
+          sources="$moved src/plane_motion/gjk2_advance_face.c src/plane_motion/gjk2_advance_place.c \
+            src/plane/gjk2_canonical.c src/plane/gjk2_hull.c"
           ;;
         plane_ground*)
           level=200 defines="$defines -DPROVE_COPY_WHOLE"
@@ -317,7 +324,7 @@ set_up() {
           sources="$sources $(echo src/plane_motion/gjk2_impact*.c)"
           ;;
         plane_search*) level=3 ;;
-        plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
+        plane_contacts*) models='plane_search plane_edges plane_meeting' level=20 ;;
         plane_query*) models='plane_search plane_edges' level=8 ;;
       esac
       set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits

@@ -25,7 +25,7 @@ int main(void) {
   const gjk2_vec n = any_vec2((INT32_C(1) << 30) + 4), p = any_vec2(2 * ANY_OFFSET), q = any_vec2(2 * ANY_OFFSET);
   const int64_t most = any_long(-(INT64_C(1) << 62), INT64_C(1) << 62);
   (void)gjk2_cast_bound(&way, n, most, any_long(0, (INT64_C(1) << 32) - 1), (uint32_t)any_between(0, INT32_MAX),
-                        &fraction, &rate);
+                        &fraction, any_bool() ? &rate : NULL);
   (void)gjk2_cast_foot(&way, p, q, any_between(0, GJK_Q30_ONE));
 #endif
   return 0;

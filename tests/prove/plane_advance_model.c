@@ -44,8 +44,10 @@ gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_
   check_within(most, INT64_MAX);
   //@ assert radius >= 0 && radius < INT64_C(1) << 32;
   *fraction = any_between(0, GJK_Q30_ONE);
-  rate->length = any_long(1, INT64_C(1) << 31);
-  rate->closing = any_long(1, INT64_MAX);
+  if (rate != NULL) {
+    rate->length = any_long(1, INT64_C(1) << 31);
+    rate->closing = any_long(1, INT64_MAX);
+  }
   return (gjk2_bound)any_between(GJK2_BOUND_AT, GJK2_BOUND_AWAY);
 }
 

@@ -1,5 +1,5 @@
-// Every query of the plane on any two colliders, and what src/plane/gjk2_search.h and gjk2_edges.h give it: any answer
-// of their models.
+// Every query of the plane but the contacts, on any two colliders, and what src/plane/gjk2_search.h and gjk2_edges.h give
+// it: any answer of their models.
 #include "plane_colliders.h"
 
 // Values of CASE.
@@ -9,7 +9,6 @@
 #define UNTIL 4
 #define PENETRATION 5
 #define SIGNED_CURVED 6
-#define CONTACTS 7
 #define CHECK_DECISION 8
 #define CHECK_DISTANCE 9
 #define CHECK_PENETRATION 10
@@ -77,9 +76,6 @@ static void ask(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cach
 #elif CASE == SIGNED_CURVED || CASE == SIGNED_MIXED || CASE == SIGNED_POLYGONS
   gjk2_distance_result distance;
   (void)gjk2_signed_distance(a, b, cache, &distance);
-#elif CASE == CONTACTS
-  gjk2_manifold manifold;
-  (void)gjk2_contacts(a, b, any_int32(), (unsigned)any_between(0, 3), cache, &manifold);
 #elif CASE == CHECK_DECISION
   gjk2_decision decision;
   any_certificate(&decision.certificate);
