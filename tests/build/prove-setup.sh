@@ -217,6 +217,13 @@ room() {
   done
 }
 
+# The same of gjk2_NAME.c in src/plane.
+plane() {
+  for part in "$@"; do
+    sources="$sources src/plane/gjk2_$part.c"
+  done
+}
+
 # set_up RUN: sets the files that it analyses, contracts, machine, defines and options.
 set_up() {
   driver=${1%%-*}
@@ -320,12 +327,18 @@ set_up() {
             src/plane_motion/gjk2_way.c" && room arith root wide
           ;;
         plane_impact*)
-          level=8 models='plane_search plane_edges plane_sweep'
-          sources="$sources $(echo src/plane_motion/gjk2_impact*.c)"
+          level=8 models='plane_search plane_edges plane_sweep' sources=$(echo src/plane_motion/gjk2_impact*.c)
+          plane canonical collider distance hull measure rotation witness && room arith root wide
           ;;
-        plane_search*) level=3 ;;
-        plane_contacts*) models='plane_search plane_edges plane_meeting' level=20 ;;
-        plane_query*) models='plane_search plane_edges' level=8 ;;
+        plane_search*) level=3 sources= && plane curved_depth edges hull measure search search_frame && room arith root wide ;;
+        plane_contacts*)
+          level=20 models='plane_search plane_edges plane_meeting' sources=
+          plane contacts hull measure && room arith root wide
+          ;;
+        plane_query*)
+          level=8 models='plane_search plane_edges' sources=
+          plane canonical check claim distance hull intersect measure meeting outward penetration witness && room arith root wide
+          ;;
       esac
       set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits
       ;;
