@@ -356,7 +356,7 @@ static void check_edges(void) {
 // Spheres inside of two shapes prove them near, and how deep at least.
 static void check_deep(void) {
   random_state random = random_seed(seed + 4);
-  const unsigned long trials = check_trials_least(PATHS, 300);
+  const unsigned long trials = check_trials_least(PATHS, 500);
   unsigned settled = 0, asked = 0;
   for (unsigned i = 0; i < trials; i++) {
     check_trial(i, NULL, NULL);
