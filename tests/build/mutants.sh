@@ -104,6 +104,7 @@ prepare_tests() {
       *) program "$name" "$programs/hosted/tests/check/unit/$name.o" || return 1 ;;
     esac
   done
+  awk '{ test = FILENAME; gsub(/.*\/|\.units$/, "", test); print test "\t" $0 }' "$build"/tests/*.units >"$build/tests/links"
   sum=$(cat "$build"/tests/*golden "$build"/tests/test_*[a-z] | cksum | tr ' ' '-')
   for units in "$build"/tests/*.units; do
     test=$(basename "$units" .units)
@@ -118,18 +119,11 @@ prepare_tests() {
 order() {
   file=$1
   shift
-  {
-    awk -F '\t' -v file="$file" '$3 == file && $2 ~ /^noticed/ { print substr($2, 9) }' "$results" |
-      sort | uniq -c | sort -rn | awk '{ print $2 }'
-    echo "$TESTS"
-  } | awk '!seen[$0]++' | while read -r test; do
-    for unit in "$@"; do
-      if grep -qx "$unit" "$build/tests/$test.units"; then
-        echo "$test"
-        break
-      fi
-    done
-  done
+  echo "$TESTS" | awk -F '\t' -v file="$file" -v units="$*" '
+    BEGIN { n = split(units, unit, " "); for (i = 1; i <= n; i++) wanted[unit[i]] }
+    FILENAME == ARGV[1] { if ($3 == file && sub(/^noticed /, "", $2)) noticed[$2]++; next }
+    FILENAME == ARGV[2] { if ($2 in wanted) links[$1]; next }
+    $1 in links { print noticed[$1] + 0, FNR, $1 }' "$results" "$build/tests/links" - | sort -k 1,1rn -k 2,2n | sed 's/.* //'
 }
 
 # run_tests FOLDER TEST...: with the library there; prints the test that fails
@@ -166,7 +160,8 @@ judge() {
     if [ -n "$changed" ]; then
       objects=
       for object in "$build/$variant"/*.o; do
-        unit=$(basename "$object" .o)
+        unit=${object##*/}
+        unit=${unit%.o}
         case " $changed " in
           *" $unit "*) object=$1/$unit.o ;;
         esac

@@ -108,6 +108,36 @@ static void test_spheres(uint64_t seed) {
   }
 }
 
+// Half spheres drawn out along an axis, to either side: vertices beyond their tips leave the size of hulls, and where that
+// ends differs from axis to axis. So there is a hull that is small enough, or none.
+static void test_room(uint64_t seed) {
+  random_state random = random_seed(seed + 2);
+  for (unsigned k = 0; k < 12; k++) {
+    const int32_t far = k < 6 ? 900000000 : -900000000, up = k % 2 == 0 ? 1 : -1;
+    make_sphere(&random, 60, 262000000, 1);
+    for (uint16_t i = 0; i < p.count; i++) {
+      int32_t at[3] = {p.point[i].x, p.point[i].y, p.point[i].z};
+      for (unsigned axis = 0; axis < 3; axis++) {
+        const int32_t half = at[axis] < 0 ? -at[axis] : at[axis];
+        at[axis] = axis == k / 2 % 3 ? up * (half + half / 4 * 3 - 200000000) - far : at[axis] / 64 + far;
+      }
+      const gjk_vec3 v = {at[0], at[1], at[2]};
+      p.point[i] = v;
+    }
+    check_trial(k, hull_points_print, &p);
+    for (uint16_t most = 4; most < 8; most++) {
+      gjk_hull_simple result = {0, 0};
+      const gjk_status status =
+          gjk_hull_simplify(p.point, p.count, most, workspace, sizeof workspace, simple.point, &result);
+      simple.count = result.vertices;
+      CHECK(status == GJK_OK || status == GJK_ERROR_RANGE);
+      if (status == GJK_OK) {
+        hull_output_make(&simple, &out);
+      }
+    }
+  }
+}
+
 static void test_random(uint64_t seed) {
   random_state random = random_seed(seed + 1);
   unsigned same = 0, fewer = 0, flat = 0, boxed = 0;
@@ -265,6 +295,7 @@ int main(void) {
   test_statuses();
   test_cases();
   test_spheres(seed);
+  test_room(seed);
   test_slivers();
   test_cones();
   test_random(seed);
