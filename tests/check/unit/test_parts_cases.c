@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "src/parts/gjk_parts_class.h"
 
 static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
@@ -95,9 +96,34 @@ static void test_statuses_of_impacts(void) {
   CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &far, &part, &impact) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &behind, &part, &impact) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_parts_time_of_impact(&a, &out, &b, &still, &good, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(NULL, &still, &b, &still, &good, &part, &impact) == GJK_ERROR_NULL);
+  CHECK(gjk_parts_time_of_impact(&a, NULL, &b, &still, &good, &part, &impact) == GJK_ERROR_NULL);
+  CHECK(gjk_parts_time_of_impact(&a, &still, NULL, &still, &good, &part, &impact) == GJK_ERROR_NULL);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, NULL, &good, &part, &impact) == GJK_ERROR_NULL);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, NULL, &part, &impact) == GJK_ERROR_NULL);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &good, &part, NULL) == GJK_ERROR_NULL);
   CHECK(part == 77);
   CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &good, &part, &impact) == GJK_OK && impact.overlap &&
         part == 0);
+}
+
+// A part on either side of 4096 units, and a ball of such a radius that the least tolerance is a little above a whole number.
+static void test_tolerance_far_away(gjk_q16 away) {
+  const gjk_compound_part one = {&crate, {{away, 0, 0}, {0, 0, 0, GJK_Q30_ONE}}};
+  const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_impact_result impact;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&compound);
+  const int32_t excess = (int32_t)a.type->reach(a.data) - GJK_Q16(256), step = INT32_C(1) << 23;
+  const int32_t radius = step - excess % step + step / 64;  // excess and radius are a multiple of step and a 64th of it
+  const gjk_shape big = GJK_SPHERE(radius);
+  const gjk_collider b = at_height(&big, 0);
+  const gjk_q16 whole = GJK_PARTS_TOLERANCE_MIN + (excess + radius) / step + (away > GJK_Q16(4096) ? 11 : 0);
+  const gjk_impact_setup less = {0, whole, 0}, enough = {0, whole + 1, 0};
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &less, NULL, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &enough, NULL, &impact) == GJK_OK && !impact.hit);
 }
 
 // A ball on one side of a triangle that goes through its plane. side 1: it begins in front, -1: behind; gap: between ball and
@@ -238,6 +264,8 @@ int main(void) {
   test_seam();
   test_statuses_of_both();
   test_statuses_of_impacts();
+  test_tolerance_far_away(GJK_Q16(4000));
+  test_tolerance_far_away(GJK_Q16(4100));
   test_ahead();
   test_ahead_of_baked();
   test_cast_beyond_reach();

@@ -206,12 +206,11 @@ static void try_least_tolerance(random_state *random, uint64_t seed) {
     CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT || status == GJK_ERROR_RANGE);
     *(status == GJK_ERROR_RANGE ? &low : &high) = q.setup.tolerance;
   }
-  CHECK(high >= GJK_PARTS_BOTH_TOLERANCE_MIN && high < GJK_Q16(1.0));
   const double of_body = body.tree.type->reach(body.tree.data), of_other = other.tree.type->reach(other.tree.data),
                excess = of_body + of_other > 16777216 ? of_body + of_other - 16777216 : 0,
-               far = (of_body > 268435456 ? 11 : 0) + (of_other > 268435456 ? 11 : 0);
-  CHECK_MSG(high <= GJK_PARTS_BOTH_TOLERANCE_MIN + excess / 2097152 + far + q.setup.margin / 67108864.0 + 1, "%ld",
-            (long)high);
+               far = (of_body > 268435456 ? 11 : 0) + (of_other > 268435456 ? 11 : 0),
+               least = GJK_PARTS_BOTH_TOLERANCE_MIN + excess / 2097152 + far + q.setup.margin / 67108864.0;
+  CHECK_MSG(high >= least - 1 / 256.0 && high <= least + 1 && high < GJK_Q16(1.0), "%ld", (long)high);
   *(excess > 0 ? &tally.far : &tally.near) += 1;
   q.setup.tolerance = high;
   ask_every_pair(&q, &pair, &answer, &limited);
