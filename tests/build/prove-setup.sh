@@ -245,7 +245,7 @@ set_up() {
     polygon)
       sources=$(echo src/contact/gjk_*polygon*.c)
       room arith height_key root rotation unit vector wide && room shape curved disc_base && set -- "$1" -eva-slevel 200
-      [ "$instance" != HULL ] || set -- "$@" -eva-slevel-function "$POLYGON_LEVELS"
+      [ "$instance" != HULL ] || set -- "$@" -eva-min-loop-unroll 12 -eva-slevel-function "$POLYGON_LEVELS"
       ;;
     witness) models=simplex && room arith wide && room gjk witness && set -- "$1" -eva-slevel 200 ;;
     query)
@@ -446,7 +446,7 @@ set_up() {
       models='region rotation place pairs manifold'
       sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
-      set -- "$1" -eva-slevel 50 -eva-slevel-function $SURFACE_LEVELS -eva-interprocedural-splits
+      set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-slevel-function "$SURFACE_LEVELS"
       ;;
     quotient) room arith wide && room motion quotient && set -- "$1" -eva-slevel 200 ;;
     way) room motion spheres way && set -- "$1" -eva-slevel 200 ;;
