@@ -35,6 +35,8 @@ static void test_seam(void) {
   CHECK(gjk_parts_contacts(&body, &above, 100, 4, NULL, each, 2, &separate) == GJK_OK && separate == 2);
   CHECK(gjk_parts_manifolds(&body, &above, 100, 4, NULL, joined, 4, &count) == GJK_OK && count == 1);
   CHECK(joined[0].normal.z == GJK_Q30_ONE && joined[0].count == 4);
+  gjk_manifold one;
+  CHECK(gjk_parts_manifolds(&body, &above, 100, 1, NULL, &one, 1, &count) == GJK_OK && count == 1 && one.count == 1);
   gjk_q16 least = 0, most = 0;
   for (unsigned i = 0; i < joined[0].count; i++) {
     const gjk_contact *p = &joined[0].contact[i];

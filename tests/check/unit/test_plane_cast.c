@@ -264,6 +264,9 @@ static void check_proof(random_state *r, const cast_case *c, const gjk2_cast_pat
   CHECK_MSG(status == GJK_OK, "%s, proof %d", status == GJK_ERROR_UNPROVEN ? "unproven" : "unsupported",
             out->certificate.proof);
   checks.proven++;
+  gjk2_cast_result huge = *out;  // a direction whose square does not fit 64 bits
+  huge.certificate.direction.x = huge.certificate.direction.y = INT32_MIN;
+  CHECK(gjk2_check_cast(a, b, path, &huge) != GJK_OK || out->certificate.proof != GJK2_CAST_PROOF_SHORT);
   for (int i = 0; i < 5; i++) {
     gjk2_cast_result forged = *out;
     const gjk_q16 off = random_below(r, 2) == 0 ? 1 : -1;
@@ -457,8 +460,11 @@ static void test_wide(random_state *r) {
     check_trial(i, print_case, &c);
     const int32_t size = 1 << random_range(r, 2, 22), far = INT32_MAX - (1 << 24);
     const gjk2_vec centre = {random_range(r, -far, far), random_range(r, -far, far)};
-    // Through about the centre, as far as the world lets it.
-    const gjk2_vec start = {random_range(r, -far, far), random_range(r, -far, far)};
+    // Through about the centre, as far as the world lets it; or from there to anywhere.
+    const bool leaves = random_below(r, 8) == 0;
+    const gjk2_vec away = {random_range(r, -far, far), random_range(r, -far, far)},
+                   near = {centre.x + random_range(r, -size, size), centre.y + random_range(r, -size, size)},
+                   start = leaves ? near : away;
     place_small(r, size, centre, &c.pair[0]);
     place_small(r, size, start, &c.pair[1]);
     c.moves_a = random_below(r, 4) == 0;
@@ -471,8 +477,8 @@ static void test_wide(random_state *r) {
         (double)c.pair[1].pose.position.y + longer * ((double)centre.y - start.y) + random_range(r, -aside, aside);
     c.to_a.x = c.pair[0].pose.position.x + random_range(r, -size, size);
     c.to_a.y = c.pair[0].pose.position.y + random_range(r, -size, size);
-    x = x < -far ? -far : x > far ? far : x;
-    y = y < -far ? -far : y > far ? far : y;
+    x = leaves ? away.x : x < -far ? -far : x > far ? far : x;
+    y = leaves ? away.y : y < -far ? -far : y > far ? far : y;
     c.to_b.x = (int32_t)x;
     c.to_b.y = (int32_t)y;
     finish_case(&c);
