@@ -25,6 +25,7 @@ typedef struct trial {
   gjk_vec3 corners[2][CORNERS];
   gjk_shape shape[2];
   gjk_collider collider[2];
+  gjk_pose pose[2];
   gjk_vec3 to[2];
   gjk_cast_path path;
   gjk_cast_result result;
@@ -41,7 +42,7 @@ typedef struct field {
 static const field fields[] = {OF(fraction, 1),  OF(point_a, AXES), OF(point_b, AXES),
                                OF(normal, AXES), OF(rest_a, AXES),  OF(rest_b, AXES)};
 
-static struct { unsigned long proven, hits, inside, rounded, fields, certificates, ways, by_corners[4]; } tally;
+static struct { unsigned long proven, hits, inside, rounded, fields, certificates, ways, fewer, by_corners[4]; } tally;
 
 static int64_t size_of(int64_t x) {
   return x < 0 ? -x : x;
@@ -104,6 +105,7 @@ static void make(random_state *random, trial *t) {
     if (axes == AXES && random_below(random, 2) == 0) {
       CHECK(gjk_quat_normalize(&any, &pose.rotation) == GJK_OK);
     }
+    t->pose[i] = pose;
     memset(&t->collider[i], 0, sizeof t->collider[i]);
     CHECK(gjk_collider_init(&t->collider[i], &t->shape[i], NULL, 0) == GJK_OK);
     CHECK(gjk_collider_pose(&t->collider[i], &pose) == GJK_OK);
@@ -241,6 +243,29 @@ static void forge_way(const trial *t) {
   tally.ways++;
 }
 
+// What holds for fewer of a shape's corners is no claim about all of them, unless it is the same. With a radius the fraction
+// is not proven.
+static void forge_fewer(random_state *random, const trial *t, bool rounded) {
+  for (int i = 0; i < 2; i++) {
+    gjk_shape few = t->shape[i];
+    gjk_collider pair[2] = {t->collider[0], t->collider[1]};
+    gjk_cast_result claim;
+    if (few.vertices == NULL || few.count < CORNERS) {
+      continue;
+    }
+    few.count = (uint16_t)(1 + random_below(random, CORNERS - 1));
+    memset(&pair[i], 0, sizeof pair[i]);
+    memset(&claim, 0, sizeof claim);
+    CHECK(gjk_collider_init(&pair[i], &few, NULL, 0) == GJK_OK && gjk_collider_pose(&pair[i], &t->pose[i]) == GJK_OK);
+    CHECK(gjk_cast(&pair[0], &pair[1], &t->path, &claim) == GJK_OK);
+    if (claim.hit != t->result.hit || claim.inside != t->result.inside ||
+        (!rounded && claim.fraction != t->result.fraction)) {
+      refuse(t, &claim, "fewer corners");
+      tally.fewer++;
+    }
+  }
+}
+
 // Is a miss proven without a certificate? A short way names a facet also where the spheres alone would do.
 static bool is_apart(const trial *t, int64_t radius) {
 #if SPACE
@@ -284,6 +309,7 @@ static void check(random_state *random, trial *t) {
     }
   }
   forge_certificate(random, t, radius > 0, apart);
+  forge_fewer(random, t, radius > 0);
 }
 
 int main(void) {
@@ -297,11 +323,12 @@ int main(void) {
   }
   printf(
       "%lu proven: %lu hits, %lu at the start, %lu with a radius; forged: %lu fields, %lu proofs; by corners %lu %lu "
-      "%lu\n",
+      "%lu; %lu of fewer corners\n",
       tally.proven, tally.hits, tally.inside, tally.rounded, tally.fields, tally.certificates, tally.by_corners[1],
-      tally.by_corners[2], tally.by_corners[3]);
+      tally.by_corners[2], tally.by_corners[3], tally.fewer);
   CHECK(tally.proven > trials * 9 / 10 && tally.hits > trials / 6 && tally.hits < trials * 5 / 6);
-  CHECK(tally.ways > trials / 20 && tally.inside > trials / 50 && tally.rounded > trials / 10);
+  CHECK(tally.ways > trials / 20 && tally.fewer > trials / 20 && tally.inside > trials / 50 &&
+        tally.rounded > trials / 10);
   CHECK(trials < 1000 ||
         (tally.by_corners[1] > 10 && tally.by_corners[2] > 20 && (tally.by_corners[3] > 20 || !SPACE)));
   return check_done(TEST_NAME);

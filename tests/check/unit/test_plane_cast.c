@@ -267,6 +267,16 @@ static void check_proof(random_state *r, const cast_case *c, const gjk2_cast_pat
   gjk2_cast_result huge = *out;  // a direction whose square does not fit 64 bits
   huge.certificate.direction.x = huge.certificate.direction.y = INT32_MIN;
   CHECK(gjk2_check_cast(a, b, path, &huge) != GJK_OK || out->certificate.proof != GJK2_CAST_PROOF_SHORT);
+  // Of a hit no direction across the way shows a miss, also where the way only touches.
+  for (int i = 0; i < 14 && out->hit && llabs(c->t.x) <= GJK_Q30_ONE / 2 && llabs(c->t.y) <= GJK_Q30_ONE / 2; i++) {
+    const gjk_q30 sign = i % 2 == 0 ? 1 : -1;
+    gjk2_cast_result across = *out;
+    across.hit = false;
+    across.certificate.proof = (uint8_t)(i / 2);
+    across.certificate.direction.x = -sign * (gjk_q30)c->t.y;
+    across.certificate.direction.y = sign * (gjk_q30)c->t.x;
+    CHECK_MSG(gjk2_check_cast(a, b, path, &across) != GJK_OK, "across the way, proof %d", i / 2);
+  }
   for (int i = 0; i < 5; i++) {
     gjk2_cast_result forged = *out;
     const gjk_q16 off = random_below(r, 2) == 0 ? 1 : -1;
