@@ -137,6 +137,7 @@ static void check_nearest(const question *q, const gjk_scene_hit *expected, uint
     CHECK(result.inside || memcmp(&result.point_a, &first->point_a, sizeof result.point_a) == 0);
     CHECK(memcmp(&result.rest_b, &first->rest_b, sizeof result.rest_b) == 0);
     CHECK(memcmp(&result.normal, &first->normal, sizeof result.normal) == 0);
+    CHECK(result.certificate.proof == first->certificate.proof && result.certificate.count == first->certificate.count);
   }
 }
 

@@ -161,6 +161,25 @@ static void check_floor(const gjk_shape *shape, gjk_q16 half_width, gjk_q16 half
   CHECK(!r.stuck && !r.on_ground && r.position.y == -3 * ONE);
 }
 
+// Beside a crate that it touches, on either side it goes away by the skin. Between two that leave less it goes on as near.
+static void check_beside(const gjk_shape *shape, gjk_q16 half_width) {
+  const gjk_slide_setup setup = usual();
+  const gjk_vec3 middle = VECTOR(0, 0, 0), high = VECTOR(0, 2 * ONE, 0);
+  gjk_collider c;
+  set_walker(&c, shape, middle);
+  for (int side = -1; side <= 1; side += 2) {
+    start_scene();
+    add_at(1, side * (half_width + ONE / 2), 0, 0);
+    const gjk_slide_result r = walk(&c, middle, &setup);
+    CHECK(!r.stuck && is_near(r.position.x, -side * SKIN, 8) && r.position.y == 0);
+  }
+  start_scene();
+  add_at(1, half_width + ONE / 2 + SKIN / 2, 0, 0);
+  add_at(1, -half_width - ONE / 2 - SKIN / 2, 0, 0);
+  const gjk_slide_result r = walk(&c, high, &setup);
+  CHECK(!r.stuck && is_near(r.position.x, 0, 8) && is_near(r.position.y, 2 * ONE, 8));
+}
+
 static gjk_vec3 random_vector(random_state *random, int32_t size) {
   const gjk_vec3 v =
       VECTOR(random_range(random, -size, size), random_range(random, -size, size), random_range(random, -size, size));
@@ -282,7 +301,9 @@ int main(void) {
   check_statuses();
   if (!CEILINGS_OPEN_CASTS) {
     check_floor(&robot, ONE / 3, ONE / 2);
+    check_beside(&robot, ONE / 3);
     check_floor(&man, GJK_Q16(0.3), GJK_Q16(0.8));
+    check_beside(&man, GJK_Q16(0.3));
   }
   for (unsigned i = 0; i < ROOMS; i++) {
     check_trial(i, NULL, NULL);
