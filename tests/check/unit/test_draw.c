@@ -8,10 +8,12 @@
 #define SPACE 1
 #endif
 
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
 #include "random.h"
+#include "src/arith/gjk_circle.h"
 
 #define SEED 9300
 #define TRIALS check_trials(300)
@@ -396,7 +398,18 @@ static void check_scene(void) {
   CHECK(drawn.lines == 0);
 }
 
+// Directions of outlines, to the nearest LSB.
+static void check_directions(void) {
+  for (unsigned i = 0; i < GJK_DRAW_DIRECTIONS; i++) {
+    const double angle = i * 3.14159265358979323846 / (GJK_DRAW_DIRECTIONS / 2);
+    gjk_q30 x, y;
+    gjk_circle(i, &x, &y);
+    CHECK(x == llround(cos(angle) * GJK_Q30_ONE) && y == llround(sin(angle) * GJK_Q30_ONE));
+  }
+}
+
 int main(void) {
+  check_directions();
   check_outlines();
   check_ball();
   check_boxes();
