@@ -12,8 +12,8 @@ PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,gjk2_frame_far:10,frame
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
 ask_penetration:500,ask_signed:500,gjk_distance:200,run_and_narrow:200,narrow:200,\
 gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
-ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteration_start:500,gjk_frame_set:500,gjk_frame_set_far:500,\
-main:500,longer_than:100,far_shift:100,run:500
+ITERATION_LEVELS=gjk_simplex_add:50,any_feature:20,confirm_feature:300,refine_nearest:100,gjk_iteration_run:4,add_vertex:300,warm_start:1000,\
+gjk_iteration_start:100,gjk_frame_set:100,gjk_frame_set_far:100,main:150,longer_than:50,far_shift:50,run:100
 ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,longer_than:0
 EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
 TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_measure:20
@@ -256,8 +256,9 @@ set_up() {
         -eva-partition-value facet_is_found
       ;;
     iteration)
-      models=simplex && room arith wide && room gjk frame iteration
-      set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
+      models=simplex && room arith vector wide && room gjk frame iteration
+      # The outcomes of its steps are too many to keep apart.
+      set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" \
         -eva-split-return-function "$ITERATION_RETURNS"
       ;;
     search)

@@ -3,6 +3,14 @@
 #include "colliders.h"
 #include "src/gjk/gjk_iteration.h"
 
+// As boxes, of which some half axes may have no length.
+static const gjk_shape_class boxes = {.measure = any_measure,
+                                      .pose = keep_pose,
+                                      .support = any_support,
+                                      .refine = any_refine,
+                                      .vertex = any_vertex_of,
+                                      .kind = GJK_KIND_AXES};
+
 // At least the ceiling of any query.
 #define MOST 250
 
@@ -24,13 +32,17 @@ static void check_iteration(const gjk_iteration *it, unsigned outcome) {
   }
 }
 
-static void run(gjk_iteration *it, gjk_cache *cache) {
+// True: it goes on.
+static bool run(gjk_iteration *it, gjk_cache *cache) {
+  if (it->iterations >= MOST) {
+    return false;
+  }
   it->limit = (uint8_t)any_between(it->iterations + 1, MOST);
   const unsigned outcome = gjk_iteration_run(it, CASE, cache);
   //@ split outcome;
   check_iteration(it, outcome);
   if (outcome == GJK_OUTCOME_LIMIT) {
-    return;
+    return true;
   }
   gjk_certificate certificate;
   gjk_iteration_certify(it, (gjk_outcome)outcome, &certificate);
@@ -40,6 +52,12 @@ static void run(gjk_iteration *it, gjk_cache *cache) {
   if (outcome != GJK_OUTCOME_SEPARATED && it->simplex.count < 4) {
     (void)gjk_iteration_near(it);
   }
+  return false;
+}
+
+static void any_kind(gjk_collider *c, gjk_shape *shape, bool of_vertices) {
+  any_collider(c, shape, !of_vertices ? &curved : any_bool() ? &polytope : &boxes);
+  c->count = (uint16_t)any_between(1, 3);
 }
 
 int main(void) {
@@ -50,17 +68,22 @@ int main(void) {
   const int64_t radius = any_bool() ? 0 : Frama_C_long_long_interval(1, 2 * (int64_t)GJK_RADIUS_MAX + INT32_MAX);
   const unsigned kinds = (unsigned)any_between(0, 3), warm = (unsigned)any_between(0, 1);
   //@ split kinds;
-  any_collider(&a, &shapes[0], (kinds & 1u) != 0 ? &polytope : &curved);
-  any_collider(&b, &shapes[1], (kinds & 2u) != 0 ? &polytope : &curved);
+  any_kind(&a, &shapes[0], (kinds & 1u) != 0);
+  any_kind(&b, &shapes[1], (kinds & 2u) != 0);
   any_cache(&cache);
+  // What the simplex keeps of its vertices, which its model leaves as it is.
+  for (int i = 0; i < 4; i++) {
+    for (int j = 0; j < 4; j++) {
+      it.simplex.toward[i][j] = any_long(ANY_SQUARE);
+    }
+  }
   //@ split warm;
   if (gjk_iteration_start(&it, &a, &b, CASE, radius)) {
     //@ assert it.shift >= -3 && it.shift <= 29;
     check_size(it.radius, INT32_MAX);
     check_vec3(&it.delta, ANY_W);
-    run(&it, warm != 0 ? &cache : NULL);
-    if (it.iterations < MOST && it.simplex.count < 4) {
-      run(&it, NULL);
+    if (run(&it, warm != 0 ? &cache : NULL)) {
+      (void)run(&it, NULL);
     }
   }
   return 0;
