@@ -26,7 +26,7 @@ typedef enum gjk_proof {
 
 // Why an answer is right, see gjk_proof.
 typedef struct gjk_certificate {
-  gjk_vec3 direction;   // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, of any length
+  gjk_vec3 direction;   // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B; the first is shorter than 2^31
   uint16_t a[4], b[4];  // numbers of vertices of A and B, in pairs
   uint8_t count;        // pairs in use
   uint8_t proof;        // a gjk_proof

@@ -26,7 +26,7 @@ typedef enum gjk2_proof {
 
 // Why an answer is right, see gjk2_proof.
 typedef struct gjk2_certificate {
-  gjk2_vec direction;   // GJK2_PROOF_DIRECTION, GJK2_PROOF_LINE: from A to B, of any length
+  gjk2_vec direction;   // GJK2_PROOF_DIRECTION, GJK2_PROOF_LINE: from A to B; the first is shorter than 2^31
   uint16_t a[3], b[3];  // numbers of vertices of A and B, in pairs
   uint8_t count;        // pairs in use
   uint8_t proof;        // a gjk2_proof

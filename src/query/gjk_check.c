@@ -60,7 +60,7 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
   gjk_vec3 offset;
   visit v = {c, 0};
   int64_t largest = INT64_MIN;
-  while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
+  while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX of them
     const int64_t along = gjk_dot(&offset, d);
     largest = along > largest ? along : largest;
   }
@@ -106,14 +106,15 @@ static bool proves_near(gjk_iteration *it, const gjk_certificate *certificate) {
 }
 
 // Step 2: does the plane across direction keep all of A - B more than radius away from the origin?
-//   direction   components beyond 3 2^29 are never reported
+//   direction   components beyond 3 2^29 and lengths from 2^31 on are never reported
 //   radius      from 2^31 on it exceeds every vertex of A - B
-//   along       |d| <= sqrt(3) 3 2^29, |w| <= 3 2^29:            below 2^62
+//   along       |d| < 2^31, |w| <= 3 2^29:   below 2^62
 static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, int64_t radius) {
-  const int64_t limit = INT64_C(3) << 29;
   const gjk_vec3 d = *direction;
-  if (gjk_magnitude32(d.x) > limit || gjk_magnitude32(d.y) > limit || gjk_magnitude32(d.z) > limit ||
-      radius > INT32_MAX) {
+  const uint32_t x = gjk_magnitude32(d.x), y = gjk_magnitude32(d.y), z = gjk_magnitude32(d.z);
+  const uint32_t limit = UINT32_C(3) << 29;
+  if (x > limit || y > limit || z > limit || radius > INT32_MAX ||
+      gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z) >= UINT64_C(1) << 62) {
     return false;
   }
   const gjk_vec3 opposite = gjk_negate(d);

@@ -65,7 +65,7 @@ static void test_enclosing(void) {
   CHECK(enclosed(&a, &middle, twice) == GJK_ERROR_UNPROVEN);
 }
 
-// A direction proves a gap if each of its components is in range.
+// A direction proves a gap if each of its components is in range, and its square as well.
 static void test_directions(void) {
   const gjk_collider a = placed_at(&cube, 0, 0, 0);
   gjk_decision decision;
@@ -85,6 +85,15 @@ static void test_directions(void) {
       CHECK(gjk_check_decision(&a, &b, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
       CHECK(gjk_check_decision(&b, &a, 0, &decision) == GJK_ERROR_UNPROVEN);
     }
+  }
+  // Components in range, but a square of 2^62 or more: products of that are wrong where they take digits.
+  const gjk_collider near = placed_at(&dot, 1, 0, 0), origin = placed_at(&dot, 0, 0, 0);
+  for (int bits = 28; bits <= 29; bits++) {
+    const gjk_q16 size = 3 * (INT32_C(1) << bits);
+    const gjk_vec3 diagonal = {-size, size, size};
+    decision.certificate.direction = diagonal;
+    CHECK(gjk_check_decision(&near, &origin, 0, &decision) == (bits == 28 ? GJK_OK : GJK_ERROR_UNPROVEN));
+    CHECK(gjk_check_decision(&near, &origin, 1, &decision) == GJK_ERROR_UNPROVEN);
   }
   // With the convex radii the asked distance needs more than 31 bits.
   static const gjk_shape ball = GJK_SPHERE(ONE);
