@@ -211,6 +211,25 @@ static void test_ahead_of_baked(void) {
   CHECK(of_lazy.hit && part == 0 && of_lazy.lower == of_baked.lower && of_lazy.distance == of_baked.distance);
 }
 
+// A way that takes the centre of a collider beyond int32, along one axis, but not its position.
+static void test_cast_out_of_range(gjk_vec3 axis) {
+  static const gjk_vec3 corner[3] = {{900, 1000, 1000}, {1100, 1000, 1000}, {1000, 1100, 1100}};
+  static const gjk_shape triangle = GJK_TRIANGLE(corner);
+  const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+  const gjk_q16 from = INT32_MAX - 1200, to = INT32_MAX - 200;
+  const gjk_vec3 end = {axis.x * to, axis.y * to, axis.z * to};
+  const gjk_cast_path path = {NULL, &end, 0};
+  gjk_pose at = {{axis.x * from, axis.y * from, axis.z * from}, {0, 0, 0, GJK_Q30_ONE}};
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_cast_result cast;
+  uint32_t part = 77;
+  gjk_collider b = at_height(&triangle, 0);
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK && gjk_collider_pose(&b, &at) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  CHECK(gjk_parts_cast(&body, &b, &path, &part, &cast) == GJK_ERROR_RANGE && part == 77);
+}
+
 // A compound that is not as it was built: its reach is too small. Where a cast takes a part's centre beyond int32 it ends
 // with RANGE. Nothing is read of what it has not answered, which memory checkers see, and nothing is written.
 static void test_cast_beyond_reach(void) {
@@ -271,6 +290,10 @@ int main(void) {
   test_ahead();
   test_ahead_of_baked();
   test_cast_beyond_reach();
+  for (unsigned i = 0; i < 3; i++) {
+    const gjk_vec3 axis = {i == 0, i == 1, i == 2};
+    test_cast_out_of_range(axis);
+  }
   test_impact_beyond_reach();
   return check_done("parts cases");
 }
