@@ -158,11 +158,6 @@ static bool is_kept(const gjk_scene_body *body) {
   return (body->flags & GJK_SCENE_KEPT) != 0;
 }
 
-// Does the handle lack the code that a body with a kept motion needs?
-static bool lacks_motion(const gjk_scene_view *v, const gjk_scene_body *body) {
-  return is_kept(body) && v->scene->bindings.motion == NULL;
-}
-
 gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id) {
   gjk_scene_view v;
   gjk_scene_body *body;
@@ -170,11 +165,11 @@ gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id) {
   if (status != GJK_OK) {
     return status;
   }
-  if (lacks_motion(&v, body)) {
-    return GJK_ERROR_UNSUPPORTED;
-  }
   if (is_kept(body)) {
-    v.scene->bindings.motion->forget(&v, id.slot);
+    if (scene->bindings.motion == NULL) {
+      return GJK_ERROR_UNSUPPORTED;
+    }
+    scene->bindings.motion->forget(&v, id.slot);
   }
   gjk_scene_header *h = v.header;
   uint32_t next;
@@ -294,11 +289,12 @@ gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *
   if (status != GJK_OK) {
     return status;
   }
-  if (lacks_motion(&v, body)) {
+  const bool kept = is_kept(body);
+  if (kept && scene->bindings.motion == NULL) {
     return GJK_ERROR_UNSUPPORTED;
   }
   status = move_body(scene, id, pose, false);
-  if (status == GJK_OK && is_kept(body)) {
+  if (status == GJK_OK && kept) {
     scene->bindings.motion->restart(&v, id.slot);
   }
   return status;
