@@ -252,7 +252,7 @@ static void report_impact(const gjk_scene_view *v, const gjk_scene_kept *k, gjk_
   out->distance = 0;
   out->manifold = NULL;
   out->words = NULL;
-  out->fraction = (gjk_q30)k->fraction;
+  out->fraction = gjk_int32(k->fraction);
 }
 
 // Step 9 of an update, impacts: those of the records from next_report on. Counts those that do not fit.
