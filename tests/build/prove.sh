@@ -23,6 +23,10 @@ analyse() {
   name=$1
   sources=$2
   shift 2
+  if [ -n "$joined" ]; then  # statics have unique names over all of src
+    echo "$sources" | tr ' ' '\n' | sed -n 's|^src/.*|#include "&"|p' >"$dir/$name.c"
+    sources="$dir/$name.c $(echo "$sources" | tr ' ' '\n' | grep '^tests/' | tr '\n' ' ')"
+  fi
   # shellcheck disable=SC2086
   frama-c $sources -eva $contracts -warn-signed-downcast \
     -eva-msg-key=-initial-state,-final-states -eva-split-return full -eva-min-loop-unroll 0 \

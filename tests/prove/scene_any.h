@@ -14,7 +14,7 @@
 #define GAP 40            // words, more than any record has
 #define NAMED 3           // vertices that queries name
 
-// A driver that keeps motions defines how many before it includes this file.
+// A driver of kept motions defines how many before it includes this file.
 #ifdef MOTIONS
 #define KEPT_MOTIONS gjk_scene_kept kept[MOTIONS];
 #else
@@ -33,6 +33,7 @@ typedef struct any_block {
   uint32_t queue[PAIRS];
   uint32_t slots[1];
   KEPT_MOTIONS
+  uint32_t words[PAIRS];
 } any_block;
 
 // The same with room between the sections that is never set, so that an index beyond one of them shows.
@@ -55,6 +56,8 @@ typedef struct apart_block {
   uint32_t gap_h[GAP];
   gjk_cache caches[PAIRS];
   uint32_t gap_i[GAP];
+  uint32_t words[PAIRS];
+  uint32_t gap_j[GAP];
   KEPT_MOTIONS
 } apart_block;
 
@@ -94,12 +97,13 @@ static uint32_t any_below(uint32_t count) {
   return Frama_C_unsigned_int_interval(0, count - 1);
 }
 
+// An index below count, or none: without a branch, whose outcomes Eva would keep apart.
 static uint32_t any_index(uint32_t count) {
-  return any_bool() ? GJK_SCENE_NONE : any_below(count);
+  return any_below(count + 1) - 1;
 }
 
 static uint32_t any_node(void) {
-  return any_bool() ? GJK_SCENE_LEAF | any_below(PARTS) : any_below(PARTS);
+  return any_below(2) * GJK_SCENE_LEAF | any_below(PARTS);
 }
 
 static gjk_aabb any_box(void) {
@@ -126,7 +130,7 @@ static void any_body(gjk_scene_body *body) {
   body->first = any_index(PARTS);
   body->next_moved = any_index(BODIES);
   body->parts = any_uint16();
-  body->kind_detail = (uint8_t)(any_between(0, GJK_BODY_DYNAMIC) | any_between(0, GJK_DETAIL_CONTACTS) << 4);
+  body->kind_detail = (uint8_t)(any_between(0, GJK_BODY_DYNAMIC) | any_between(0, GJK_DETAIL_SENSOR) << 4);
   body->flags = (uint8_t)any_between(0, UINT8_MAX);
 }
 
@@ -179,8 +183,8 @@ static void any_pair(gjk_scene_pair *pair) {
     pair->b[i] = (uint8_t)any_between(0, UINT8_MAX);
   }
   pair->state = (uint8_t)any_between(0, UINT8_MAX);
-  pair->outcome = (uint8_t)(any_between(0, GJK_SCENE_OUTCOMES - 1) + (any_bool() ? GJK_SCENE_UNSETTLED : 0) +
-                            (any_bool() ? GJK_SCENE_TOLD : 0));
+  pair->outcome = (uint8_t)(any_between(0, GJK_SCENE_OUTCOMES - 1) + any_between(0, 1) * GJK_SCENE_UNSETTLED +
+                            any_between(0, 1) * GJK_SCENE_MEASURED + any_between(0, 1) * GJK_SCENE_TOLD);
 }
 
 static void any_pool(gjk_scene_pool *pool, uint32_t free) {
@@ -210,6 +214,7 @@ static void any_header(gjk_scene_header *h) {
   h->updates = any_uint32();
   h->most_detail = any_below(GJK_DETAIL_CONTACTS + 1);
   h->refused = any_uint32();
+  h->kept = 0;  // none more than the configuration has
   Frama_C_make_unknown((char *)&h->stats, sizeof h->stats);
 }
 
@@ -231,9 +236,6 @@ static void any_tree(gjk_scene_header *h) {
 
 static void any_bindings(gjk_scene_bindings *bindings) {
   const int32_t able = any_between(0, 2);
-#if MOTIONS == 0
-  //@ split able;
-#endif
   bindings->predicate = any_bool() ? any_answer : NULL;
   bindings->user = NULL;
   bindings->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
@@ -267,8 +269,7 @@ static void any_motions(gjk_scene *scene, apart_block *b) {
 
 // Every field of a block holds what gjk_scene_check lets it hold by itself.
 static bool any_scene(gjk_scene *scene, apart_block *b) {
-  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1, MOTIONS};
-  any_shapes();
+  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 1, 1, MOTIONS};
   const gjk_scene_bindings none = {0};
   if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES, any_bool() ? &none : NULL) != GJK_OK) {
     return false;
@@ -282,10 +283,11 @@ static bool any_scene(gjk_scene *scene, apart_block *b) {
   b->header.queue_at = offsetof(apart_block, queue);
   b->header.slots_at = offsetof(apart_block, slots);
   b->header.caches_at = offsetof(apart_block, caches);
+  b->header.words_at = offsetof(apart_block, words);
   Frama_C_make_unknown((char *)b->caches, sizeof b->caches);
+  Frama_C_make_unknown((char *)b->words, sizeof b->words);
   scene->block = b;
   any_header(&b->header);
-  any_tree(&b->header);
   for (int i = 0; i < PARTS; i++) {
     any_body(&b->bodies[i]);
     any_part(&b->parts[i]);
@@ -299,6 +301,9 @@ static bool any_scene(gjk_scene *scene, apart_block *b) {
     b->queue[i] = any_below(PAIRS);
   }
   b->slots[0] = any_below(1u << BODIES);
+  // What Eva keeps apart comes last.
+  any_shapes();
+  any_tree(&b->header);
   any_bindings(&scene->bindings);
 #if MOTIONS > 0
   any_motions(scene, b);

@@ -1,10 +1,14 @@
 // A block of any content: what may be done with it before it is known to be sound.
-#include "scene_any.h"
 
 // Values of CASE.
 #define HEADER 1  // any header at all
 #define INIT 2    // any bytes before, any configuration
 #define OPEN 3    // any bytes but for the capacities
+
+#if CASE == OPEN
+#define MOTIONS 2
+#endif
+#include "scene_any.h"
 
 // Too few for any configuration.
 #define TOO_FEW 563
@@ -65,6 +69,7 @@ int main(void) {
   block.header.config.parts = PARTS;
   block.header.config.own_poses = OWN_POSES;
   block.header.config.pairs = PAIRS;
+  block.header.config.motions = MOTIONS;
   open(&scene);
 #endif
   return 0;

@@ -24,7 +24,8 @@ gjk_status gjk_scene_cast_near(const gjk_scene *scene, const gjk_scene_vicinity 
   if (answer == 1) {
     return GJK_OK;
   }
-  hit->body = any_body_handle();
+  hit->body.slot = any_below(BODIES);
+  hit->body.generation = any_uint32();
   hit->part = any_uint16();
   hit->fraction = any_below(0x40000001);
   if (answer == 2) {
