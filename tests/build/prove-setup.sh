@@ -393,7 +393,6 @@ set_up() {
         hull_grow) level=2000 ;;
         hull_facets) level=5 ;;
         hull_build) models='hull_grow hull_facets' ;;
-        hull_check) [ "$instance" != 0 ] || level=10 ;;
       esac
       set -- "$1" -eva-slevel $level
       [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
