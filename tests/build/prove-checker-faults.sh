@@ -27,7 +27,7 @@ for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3 coqc:
     exit
   fi
 done
-wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane): \[wp\]'
+wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|space): \[wp\]'
 fault digits-mixed $wide.c gjk_sum_of_products 'gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'gjk_mac32(gjk_mul32(rh, sl), rl, sl);' "$open"
 fault carry-lost $wide.c gjk_sum_of_products '+ (digit >> 31);' ';' "$open"
 fault sign-of-zero $wide.c gjk_sum_of_products_sign_exact '? -1 : (sum.high | sum.low) != 0' '? -1 : sum.low != 0' "$open"
@@ -52,6 +52,11 @@ frame=src/plane/gjk2_search_frame.c
 fault far-is-near $frame is_long 'UINT64_C(1) << 60;' 'UINT64_C(1) << 62;' "$open"
 fault circles-touch $frame start_near '> gjk_mul32(limit, limit)' '>= gjk_mul32(limit, limit)' "$open"
 fault delta-of-other-sign $frame start_near 's->a->centre.y - s->b->centre.y;' 's->b->centre.y - s->a->centre.y;' "$open"
+check=src/query/gjk_check.c
+fault long-direction $check is_separating '>= UINT64_C(1) << 62) {' '>= UINT64_C(1) << 63) {' "$open"
+fault radius-of-0 $check is_apart 'is_separating(it, &certificate->direction, radius)' 'is_separating(it, &certificate->direction, 0)' "$open"
+fault spheres-touch src/gjk/gjk_frame.c longer_than '>  // each square' '>=  // each square' "$open"
+fault smaller-spheres src/gjk/gjk_iteration.c gjk_iteration_start 'gjk_goal_separates(goal), radius)' 'gjk_goal_separates(goal), radius / 2)' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

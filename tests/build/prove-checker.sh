@@ -81,12 +81,14 @@ run() {
   check "$1: each function has its contract" contracts "$1" "$list"
 }
 
-# The theorems of hull.v, from nothing but the axioms of Coq's real numbers.
+# The theorems of hull.v and solid.v, from nothing but the axioms of Coq's real numbers.
 theorems() {
-  (cd "$dir" && coqc -q $spec/hull.v) >"$dir/hull.txt" 2>&1 || { tail -n 5 "$dir/hull.txt"; return 1; }
-  sed -n 's/^\([A-Za-z_.][A-Za-z_.]*\) *:.*/\1/p; s/^\([A-Za-z_]*\.[A-Za-z_]*\)$/\1/p' "$dir/hull.txt" | sort -u >"$dir/hull.axioms"
-  ! grep -vxE 'Axioms|ClassicalDedekindReals\.sig_(not|forall)_dec|FunctionalExtensionality\.functional_extensionality_dep' \
-    "$dir/hull.axioms" && [ "$(grep -c '^Axioms:' "$dir/hull.txt")" = "$(grep -c '^Theorem' "$dir/$spec/hull.v")" ]
+  for file in hull solid; do
+    (cd "$dir" && coqc -q $spec/$file.v) >"$dir/$file.txt" 2>&1 || { tail -n 5 "$dir/$file.txt"; return 1; }
+    sed -n 's/^\([A-Za-z_.][A-Za-z_.]*\) *:.*/\1/p; s/^\([A-Za-z_]*\.[A-Za-z_]*\)$/\1/p' "$dir/$file.txt" | sort -u >"$dir/$file.axioms"
+    ! grep -vxE 'Axioms|ClassicalDedekindReals\.sig_(not|forall)_dec|FunctionalExtensionality\.functional_extensionality_dep' \
+      "$dir/$file.axioms" && [ "$(grep -c '^Axioms:' "$dir/$file.txt")" = "$(grep -c '^Theorem' "$dir/$spec/$file.v")" ] || return 1
+  done
 }
 
 # What src/README.md says has to be believed.
@@ -114,10 +116,12 @@ case $wanted in
 esac
 [ $failed = 0 ] || { finish prove-checker; exit; }
 if [ -z "$wanted" ]; then
-  wp lemmas gcc_x86_32 '' plane.c -wp-prop=@lemma >"$dir/lemmas.goals"
-  proven=$?
-  cat "$dir/lemmas.goals"
-  check 'each lemma is proven' [ $proven = 0 ]
+  for file in plane space; do
+    wp lemmas-$file gcc_x86_32 '' $file.c -wp-prop=@lemma >"$dir/lemmas.goals"
+    proven=$?
+    cat "$dir/lemmas.goals"
+    check "each lemma of $file.c is proven" [ $proven = 0 ]
+  done
 fi
 if [ -z "$wanted" ] || [ "$wanted" = hull ]; then
   if have coqc; then
@@ -128,6 +132,7 @@ if [ -z "$wanted" ] || [ "$wanted" = hull ]; then
 fi
 run int32 gcc_x86_32 '' wide
 run plane gcc_x86_32 '' plane
+run space gcc_x86_32 '' space
 if [ -z "$wanted" ]; then
   run int16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 wide
 fi

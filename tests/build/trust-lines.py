@@ -1,7 +1,7 @@
-# What has to be believed of the plane's checker, in lines: trust-lines.py. Comments and empty lines do not count.
+# What has to be believed of the proven checkers, in lines: trust-lines.py. Comments and empty lines do not count.
 #
-# Proven: the functions of tests/prove/checker/functions.txt. To be read: operators.h; the contracts of the two checks,
-# with each word that they use; the definitions and theorems of hull.v, without proofs.
+# Proven: the functions of tests/prove/checker/functions.txt. To be read: operators.h; the contracts of the checks, with
+# each word that they use; the definitions and theorems of hull.v and solid.v, without proofs.
 import re
 import sys
 
@@ -15,35 +15,42 @@ def lines(path):
 def function(name):
     """The lines of a function's body and head."""
     head = r"^[a-zA-Z][^\n;{}]*\b" + name + r"\([^;{}]*\) \{\n"
-    for path in ("arith/gjk_wide.c", "arith/gjk_wide.h", "plane/gjk2_check.c", "plane/gjk2_measure.c",
-                 "plane/gjk2_measure.h", "plane/gjk2_search.h", "plane/gjk2_search_frame.c", "plane/gjk2_vector.h",
-                 "plane/gjk2_class.h"):
+    for path in ("arith/gjk_wide.c", "arith/gjk_wide.h", "arith/gjk_vector.h", "arith/gjk_vector_inline.h",
+                 "plane/gjk2_check.c", "plane/gjk2_measure.c", "plane/gjk2_measure.h", "plane/gjk2_search.h",
+                 "plane/gjk2_search_frame.c", "plane/gjk2_vector.h", "plane/gjk2_class.h", "query/gjk_check.c",
+                 "gjk/gjk_frame.c", "gjk/gjk_iteration.c", "gjk/gjk_iteration.h", "shape/gjk_shape_class.h"):
         found = re.search(head + r".*?^\}$", open("src/" + path).read(), re.M | re.S)
         if found:
             return [s for s in found.group().split("\n") if s.strip() and not s.lstrip().startswith("//")]
     sys.exit("no function " + name)
 
 
-# The words of the contracts: predicates, logic functions and macros.
-text = "".join(open(spec + name).read() for name in ("geometry.h", "wide.h", "plane.h"))
-words = {}
-for clause in re.findall(r"(?:predicate|logic integer) .*?(?:;|\*/)", text, re.S):
-    words[re.match(r"(?:predicate|logic integer) (\w+)", clause).group(1)] = clause
-for macro in re.findall(r"^#define (?:.*\\\n)*.*", text, re.M):
-    words[re.match(r"#define (\w+)", macro).group(1)] = macro
-contracts = [re.search(r"/\*@ requires(?:(?!/\*@).)*?gjk_status " + name + r"\(", text, re.S).group()
-             for name in ("gjk2_check_decision", "gjk2_check_distance")]
-contracts.append(re.search(r"/\*@ requires(?:(?!/\*@).)*?bool plane_vertex\(", text, re.S).group())
-used, todo = set(), contracts[:]
-while todo:
-    for word in re.findall(r"\w+", todo.pop()):
-        if word in words and word not in used:
-            used.add(word)
-            todo.append(words[word])
-contract_lines = sum(len(t.split("\n")) for t in contracts + [words[w] for w in used])
+def contracts(files, names):
+    """The contracts of these functions with the words that they use: predicates, logic functions and macros."""
+    text = "".join(open(spec + name).read() for name in files)
+    words = {}
+    for clause in re.findall(r"(?:predicate|logic integer) .*?(?:;|\*/)", text, re.S):
+        words[re.match(r"(?:predicate|logic integer) (\w+)", clause).group(1)] = clause
+    for macro in re.findall(r"^#define (?:.*\\\n)*.*", text, re.M):
+        words[re.match(r"#define (\w+)", macro).group(1)] = macro
+    found = [re.search(r"/\*@ requires(?:(?!/\*@).)*?\w+ " + name + r"\(", text, re.S).group() for name in names]
+    used, todo = set(), found[:]
+    while todo:
+        for word in re.findall(r"\w+", todo.pop()):
+            if word in words and word not in used:
+                used.add(word)
+                todo.append(words[word])
+    return set(found) | set(words[w] for w in used)
 
-hull = re.sub(r"^Proof\..*?Qed\.$|^Lemma .*?Qed\.$|\(\*.*?\*\)", "", open(spec + "hull.v").read(), flags=re.M | re.S)
-hull_lines = len([s for s in hull.split("\n") if s.strip() and not s.startswith("Print")])
+
+clauses = (contracts(("geometry.h", "wide.h", "plane.h"), ("gjk2_check_decision", "gjk2_check_distance", "plane_vertex")) |
+           contracts(("geometry.h", "solid.h", "wide.h", "space.h"), ("gjk_check_decision", "space_vertex")))
+contract_lines = sum(len(t.split("\n")) for t in clauses)
+
+hull_lines = 0
+for name in ("hull.v", "solid.v"):
+    text = re.sub(r"^Proof\..*?Qed\.$|^Lemma .*?Qed\.$|\(\*.*?\*\)", "", open(spec + name).read(), flags=re.M | re.S)
+    hull_lines += len([s for s in text.split("\n") if s.strip() and not s.startswith("Print")])
 axioms = len(lines(spec + "operators.h"))
 names = [s.split()[1] for s in lines(spec + "functions.txt")]
 print("%d lines of C in %d functions are proven" % (sum(len(function(n)) for n in names), len(names)))

@@ -24,6 +24,7 @@ static inline int32_t gjk_sar32(int32_t x, unsigned n);
 static inline int64_t gjk_sar64(int64_t x, unsigned n);
 
 /*@ assigns \nothing;
+    ensures \result == (x >> 32);
     ensures 0x100000000 * \result <= x < 0x100000000 * \result + 0x100000000; */
 static inline int32_t gjk_high32(int64_t x);
 
@@ -83,6 +84,13 @@ static inline int32_t gjk_low_digit(int64_t x);
     lemma centre: \forall integer d; 0 <= d < 0x80000000 ==> centre(d);
     lemma signed_high: \forall integer h; -0x8000000000000000 <= h <= 0x7fffffffffffffff ==> signed_high(h);
     lemma low_added: \forall integer h, l; value(h, l) == value(h, 0) + l; */
+
+// p q is as near to 2^64 times the product of their high words as those and their low words, below 2^32, allow.
+/*@ predicate near_product(integer p, integer q, integer ph, integer qh) =
+      -0x8000000000000000 * 0x100000000 <= p * q - 0x10000000000000000 * (ph * qh) <= 0x8000000000000000 * 0x100000000 + 0x10000000000000000;
+    lemma near_product: \forall integer p, q, ph, qh; -0x40000000 <= ph < 0x40000000 && -0x40000000 <= qh < 0x40000000 &&
+      0x100000000 * ph <= p < 0x100000000 * ph + 0x100000000 && 0x100000000 * qh <= q < 0x100000000 * qh + 0x100000000 ==>
+      near_product(p, q, ph, qh); */
 
 #define SMALL62(x) (-0x4000000000000000 < (x) < 0x4000000000000000)
 

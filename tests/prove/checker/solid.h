@@ -1,0 +1,60 @@
+// Geometry of space over the integers, and lemmas about it: the words of geometry.h with a third coordinate.
+#ifndef PROVE_CHECKER_SOLID_H
+#define PROVE_CHECKER_SOLID_H
+
+#include "geometry.h"
+
+/*@ logic integer dot3(integer x, integer y, integer z, integer u, integer v, integer w) = x * u + y * v + z * w;
+    logic integer norm3(integer x, integer y, integer z) = x * x + y * y + z * z;
+    predicate in_ball(integer x, integer y, integer z, integer r) = norm3(x, y, z) <= r * r;
+    // Spheres of radii that add up to r, whose centres are (x, y, z) apart, have no point in common.
+    predicate spheres_apart(integer x, integer y, integer z, integer r) = norm3(x, y, z) > r * r;
+    // The point lies more than r before the plane across d through the origin.
+    predicate beyond3(integer dx, integer dy, integer dz, integer x, integer y, integer z, integer r) =
+      dot3(dx, dy, dz, x, y, z) < 0 && farther(-dot3(dx, dy, dz, x, y, z), r, norm3(dx, dy, dz));
+    predicate clear3(integer dx, integer dy, integer dz, integer h, integer r) =
+      h < 0 && farther(-h, r, norm3(dx, dy, dz));
+    predicate behind_one3(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w, integer s, integer t, integer q, integer h) =
+      dot3(x, y, z, dx, dy, dz) + dot3(u, v, w, dx, dy, dz) + dot3(s, t, q, -dx, -dy, -dz) <= h;
+    predicate beyond_one3(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w, integer s, integer t, integer q, integer r) =
+      beyond3(dx, dy, dz, x + u - s, y + v - t, z + w - q, r);
+    predicate small3(integer dx, integer dy, integer dz, integer x, integer y, integer z) =
+      -0x4000000000000000 < dot3(dx, dy, dz, x, y, z) < 0x4000000000000000;
+    predicate small_one3(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w, integer s, integer t, integer q) =
+      small3(dx, dy, dz, x + u - s, y + v - t, z + w - q);
+    predicate sum_in3(integer x, integer y, integer z, integer u, integer v, integer w, integer r, integer s) =
+      at_most(dot3(x, y, z, u, v, w), r, s) && in_ball(x + u, y + v, z + w, r + s); */
+
+/*@ lemma sum_of_two_squares: \forall integer a, b; 2 * (a * b) <= a * a + b * b;
+    lemma cauchy3: \forall integer x, y, z, u, v, w; under(dot3(x, y, z, u, v, w), norm3(x, y, z), norm3(u, v, w));
+    lemma norm3: \forall integer x, y, z; 0 <= norm3(x, y, z);
+    lemma ball: \forall integer x, y, z, r; 0 <= r && in_ball(x, y, z, r) ==> -r <= x <= r && -r <= y <= r && -r <= z <= r;
+    lemma sum_of_balls: \forall integer x, y, z, u, v, w, r, s; in_ball(x, y, z, r) && in_ball(u, v, w, s) &&
+      at_most(dot3(x, y, z, u, v, w), r, s) ==> in_ball(x + u, y + v, z + w, r + s);
+    lemma balls_product: \forall integer x, y, z, u, v, w, r, s;
+      0 <= r && 0 <= s && in_ball(x, y, z, r) && in_ball(u, v, w, s) ==> at_most(dot3(x, y, z, u, v, w), r, s);
+    lemma triangle3: \forall integer x, y, z, u, v, w, r, s;
+      0 <= r && 0 <= s && in_ball(x, y, z, r) && in_ball(u, v, w, s) ==> sum_in3(x, y, z, u, v, w, r, s);
+    lemma opposite3: \forall integer x, y, z, r; in_ball(x, y, z, r) ==> in_ball(-x, -y, -z, r);
+    lemma square_below: \forall integer t; t * t < 0x10000000000000000000000000000000 ==>
+      -0x4000000000000000 < t < 0x4000000000000000;
+    lemma along3: \forall integer dx, dy, dz, x, y, z; norm3(dx, dy, dz) < 0x4000000000000000 &&
+      in_ball(x, y, z, 0x60000000) ==> small3(dx, dy, dz, x, y, z);
+    lemma lowest3: \forall integer dx, dy, dz, x, y, z, u, v, w, s, t, q, h;
+      behind_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q, h) && small_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q) ==>
+      -0x4000000000000000 < h;
+    lemma beyond3: \forall integer dx, dy, dz, x, y, z, r, h; 0 < h && dot3(dx, dy, dz, x, y, z) <= -h &&
+      farther(h, r, norm3(dx, dy, dz)) ==> beyond3(dx, dy, dz, x, y, z, r);
+    lemma beyond_one3: \forall integer dx, dy, dz, x, y, z, u, v, w, s, t, q, r, h;
+      behind_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q, h) && clear3(dx, dy, dz, h, r) ==>
+      beyond_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q, r);
+    lemma wide3: \forall integer x, y, z, r; 0 <= r && (x > r || -x > r || y > r || -y > r || z > r || -z > r) ==>
+      spheres_apart(x, y, z, r);
+    predicate close3(integer x, integer y, integer z) = -0x20000003 <= x <= 0x20000003 &&
+      -0x20000003 <= y <= 0x20000003 && -0x20000003 <= z <= 0x20000003;
+    lemma close3: \forall integer x, y, z; close3(x, y, z) ==> in_ball(x, y, z, 0x40000000); */
+
+#endif
