@@ -116,11 +116,11 @@ case $wanted in
 esac
 [ $failed = 0 ] || { finish prove-checker; exit; }
 if [ -z "$wanted" ]; then
-  for file in plane space; do
-    wp lemmas-$file gcc_x86_32 '' $file.c -wp-prop=@lemma >"$dir/lemmas.goals"
+  for which in plane space; do
+    wp "lemmas-$which" gcc_x86_32 '' "$which.c" -wp-prop=@lemma >"$dir/lemmas.goals"
     proven=$?
     cat "$dir/lemmas.goals"
-    check "each lemma of $file.c is proven" [ $proven = 0 ]
+    check "each lemma of $which.c is proven" [ $proven = 0 ]
   done
 fi
 if [ -z "$wanted" ] || [ "$wanted" = hull ]; then

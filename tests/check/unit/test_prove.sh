@@ -6,6 +6,16 @@ check 'assertions of the sources hold, without undefined behaviour' sh tests/bui
 check 'at least eighty assertions are checked' sh -c "[ \$(cat build/checked/src/*/*.[ch] | grep -c __builtin_trap) -ge 80 ]"
 check 'each run that tests/prove/digests.txt names has held on this code' sh tests/build/prove.sh "$1/stale" --stale
 
+# signed of all runs, as both pages say
+counted() (
+  . tests/build/prove-setup.sh
+  said="signs $(grep -vc '^#' tests/prove/digests.txt) of $(runs | wc -l)"
+  for page in src/README.md tests/prove/README.md; do
+    tr '\n' ' ' <$page | tr -s ' ' | grep -qF "$said" || { echo "$page does not say: $said"; return 1; }
+  done
+)
+check 'the pages say how many runs have held' counted
+
 # Eva passes over a call by a pointer of another type, so the models' functions must be of the types that the sources call.
 drivers_fit() (
   mkdir -p "$1/drivers"

@@ -28,7 +28,14 @@
     predicate sum_in3(integer x, integer y, integer z, integer u, integer v, integer w, integer r, integer s) =
       at_most(dot3(x, y, z, u, v, w), r, s) && in_ball(x + u, y + v, z + w, r + s); */
 
-/*@ lemma sum_of_two_squares: \forall integer a, b; 2 * (a * b) <= a * a + b * b;
+/*@ logic integer square(integer t) = t * t;
+    lemma square: \forall integer t; 0 <= square(t);
+    lemma square_most: \forall integer t, r; -r <= t <= r ==> t * t <= r * r;
+    lemma lagrange: \forall integer x, y, z, u, v, w; norm3(x, y, z) * norm3(u, v, w) == square(dot3(x, y, z, u, v, w)) +
+      square(x * v - y * u) + square(y * w - z * v) + square(z * u - x * w);
+    lemma cauchy_square: \forall integer x, y, z, u, v, w;
+      square(dot3(x, y, z, u, v, w)) <= norm3(x, y, z) * norm3(u, v, w);
+    lemma under_square: \forall integer t, a, b; square(t) <= a * b ==> under(t, a, b);
     lemma cauchy3: \forall integer x, y, z, u, v, w; under(dot3(x, y, z, u, v, w), norm3(x, y, z), norm3(u, v, w));
     lemma norm3: \forall integer x, y, z; 0 <= norm3(x, y, z);
     lemma ball: \forall integer x, y, z, r; 0 <= r && in_ball(x, y, z, r) ==> -r <= x <= r && -r <= y <= r && -r <= z <= r;
@@ -55,6 +62,7 @@
       spheres_apart(x, y, z, r);
     predicate close3(integer x, integer y, integer z) = -0x20000003 <= x <= 0x20000003 &&
       -0x20000003 <= y <= 0x20000003 && -0x20000003 <= z <= 0x20000003;
+    lemma close_square: \forall integer t; -0x20000003 <= t <= 0x20000003 ==> t * t <= 0x400000C00000009;
     lemma close3: \forall integer x, y, z; close3(x, y, z) ==> in_ball(x, y, z, 0x40000000); */
 
 #endif

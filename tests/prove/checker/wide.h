@@ -88,9 +88,22 @@ static inline int32_t gjk_low_digit(int64_t x);
 // p q is as near to 2^64 times the product of their high words as those and their low words, below 2^32, allow.
 /*@ predicate near_product(integer p, integer q, integer ph, integer qh) =
       -0x8000000000000000 * 0x100000000 <= p * q - 0x10000000000000000 * (ph * qh) <= 0x8000000000000000 * 0x100000000 + 0x10000000000000000;
+    predicate split(integer p, integer q, integer ph, integer qh, integer pl, integer ql) =
+      p * q - 0x10000000000000000 * (ph * qh) == 0x100000000 * (ph * ql) + 0x100000000 * (qh * pl) + pl * ql;
+    lemma split: \forall integer p, q, ph, qh, pl, ql; p == 0x100000000 * ph + pl && q == 0x100000000 * qh + ql ==>
+      split(p, q, ph, qh, pl, ql);
+    lemma near_split: \forall integer p, q, ph, qh, pl, ql; split(p, q, ph, qh, pl, ql) &&
+      bounded(ph, ql, 0x40000000, 0x100000000) && bounded(qh, pl, 0x40000000, 0x100000000) &&
+      bounded_below(pl, ql, 0x100000000, 0x100000000) ==> near_product(p, q, ph, qh);
+    lemma split_self: \forall integer p, q, ph, qh; split(p, q, ph, qh, p - 0x100000000 * ph, q - 0x100000000 * qh);
+    predicate parts(integer ph, integer qh, integer pl, integer ql) = bounded(ph, ql, 0x40000000, 0x100000000) &&
+      bounded(qh, pl, 0x40000000, 0x100000000) && bounded_below(pl, ql, 0x100000000, 0x100000000);
+    lemma parts: \forall integer ph, qh, pl, ql; -0x40000000 <= ph < 0x40000000 && -0x40000000 <= qh < 0x40000000 &&
+      0 <= pl < 0x100000000 && 0 <= ql < 0x100000000 ==> parts(ph, qh, pl, ql);
+    lemma near_parts: \forall integer p, q, ph, qh;
+      parts(ph, qh, p - 0x100000000 * ph, q - 0x100000000 * qh) ==> near_product(p, q, ph, qh);
     lemma near_product: \forall integer p, q, ph, qh; -0x40000000 <= ph < 0x40000000 && -0x40000000 <= qh < 0x40000000 &&
-      0x100000000 * ph <= p < 0x100000000 * ph + 0x100000000 && 0x100000000 * qh <= q < 0x100000000 * qh + 0x100000000 ==>
-      near_product(p, q, ph, qh); */
+      0 <= p - 0x100000000 * ph < 0x100000000 && 0 <= q - 0x100000000 * qh < 0x100000000 ==> near_product(p, q, ph, qh); */
 
 #define SMALL62(x) (-0x4000000000000000 < (x) < 0x4000000000000000)
 
