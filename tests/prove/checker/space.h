@@ -179,7 +179,8 @@ static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collide
     ensures \result == 1 ==> it->a == a && it->b == b;
     ensures \result == 1 && it->shift >= 0 ==> NEAR(a, b);
     ensures \result == 1 && it->stalls == \null ==> a->shape->type->stalls == \null && b->shape->type->stalls == \null; */
-bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal, int64_t radius);
+bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
+                         int64_t radius);
 
 // What a checked "no" means for the vertices; hull.v goes on from there.
 /*@ requires solid(a) && solid(b) && \valid_read(decision);
