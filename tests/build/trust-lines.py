@@ -43,7 +43,8 @@ def contracts(files, names):
     return set(found) | set(words[w] for w in used)
 
 
-clauses = (contracts(("geometry.h", "wide.h", "plane.h"), ("gjk2_check_decision", "gjk2_check_distance", "plane_vertex")) |
+clauses = (contracts(("geometry.h", "wide.h", "plane.h"),
+                     ("gjk2_check_decision", "gjk2_check_distance", "plane_vertex")) |
            contracts(("geometry.h", "solid.h", "wide.h", "space.h"), ("gjk_check_decision", "space_vertex")))
 contract_lines = sum(len(t.split("\n")) for t in clauses)
 
