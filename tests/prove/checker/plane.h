@@ -338,7 +338,8 @@ static inline bool gjk2_is_curved(const gjk2_shape *shape);
 static inline gjk_status gjk2_check_pair(const gjk2_collider *a, const gjk2_collider *b, const void *out);
 
 /*@ requires \valid(s);
-    assigns s->d.x; */
+    assigns s->d.x;
+    ensures s->far == \old(s->far) && s->radius == \old(s->radius); */
 static inline void gjk2_search_need_direction(gjk2_search *s);
 
 /*@ requires \valid_read(s);
