@@ -224,6 +224,12 @@ plane() {
   done
 }
 
+# copies BODY or WHOLE: gjk_copy has no contract, but its body, or is an assignment: see contracts.h.
+copies() {
+  contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+  defines="$defines -DPROVE_COPY_$1"
+}
+
 # set_up RUN: sets the files that it analyses, contracts, machine, defines and options. joined: Frama-C reads those of src as one
 # file, which takes a quarter of the time.
 set_up() {
@@ -280,7 +286,7 @@ set_up() {
         scene_slide) models="$models scene_cast scene_travel" others=$(echo $others | sed 's/slide,//') ;;
       esac
       sources="$(printf '%s ' src/scene/*.c src/scene_update/*.c src/scene_query/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      copies WHOLE
       [ "$variant" = int32 ] || defines="$defines -include tests/prove/wide_any.h"
       levels=$SCENE_LEVELS
       case $driver in
@@ -320,7 +326,8 @@ set_up() {
             src/plane/gjk2_canonical.c src/plane/gjk2_hull.c"
           ;;
         plane_ground*)
-          level=200 defines="$defines -DPROVE_COPY_WHOLE"
+          level=200
+          copies WHOLE
           [ "$instance" != TILES ] || level=5
           kind=$(echo "$instance" | tr '[:upper:]' '[:lower:]')
           sources="src/arith/gjk_root.c src/arith/gjk_wide.c src/plane/gjk2_rotation.c src/ground/gjk2_ground.c \
@@ -364,7 +371,7 @@ set_up() {
       ;;
     box_sat)
       models='simplex facet' && room arith root unit vector wide && room depth box_sat box_heights
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      copies WHOLE
       set -- "$1" -eva-slevel 2 -eva-slevel-function "$BOX_SAT_LEVELS" -eva-auto-loop-unroll 16 -eva-min-loop-unroll 6 \
         -eva-partition-value facet_is_found
       ;;
@@ -400,14 +407,13 @@ set_up() {
     mass)
       # The hull's own work is analysed by hull_facets.
       sources="$(echo src/mass/*.c src/arith/*.c | sed 's|src/mass/gjk_mass_hull[.]c||') src/place/gjk_pose.c src/query/gjk_status.c"
-      defines="$defines -DPROVE_COPY_BODY"
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+      copies BODY
       [ "$instance" != ROUND ] || models='big big_angle'
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
       ;;
     big)
       room arith big big_angle wide
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      copies WHOLE
       set -- "$1" -eva-slevel 5
       ;;
     bind)
@@ -428,7 +434,7 @@ set_up() {
     parts)
       models='region rotation place pairs reduce'
       sources=$(echo src/parts/gjk_parts_*.c src/arith/*.c)
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      copies WHOLE
       set -- "$1" -eva-interprocedural-splits -eva-partition-value pairs_results_set
       # Contacts in one place may be any of them: too many outcomes to keep apart.
       case $instance in
@@ -448,7 +454,7 @@ set_up() {
     surface)
       models='region rotation place pairs manifold'
       sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      copies WHOLE
       set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-slevel-function "$SURFACE_LEVELS"
       ;;
     quotient) room arith wide && room motion quotient && set -- "$1" -eva-slevel 200 ;;
@@ -484,8 +490,8 @@ set_up() {
       ;;
     advance)
       room arith root unit vector wide && room motion advance
-      models='simplex gap' defines="$defines -DPROVE_COPY_BODY"
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+      models='simplex gap'
+      copies BODY
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits -eva-warn-copy-indeterminate=-gjk_copy
       ;;
     simplex) room arith vector wide && room gjk simplex && set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
