@@ -1,4 +1,4 @@
-// Any integer of 256 bits.
+// Any integer of 256 bits; one that is set.
 #ifndef PROVE_BIG_ANY_H
 #define PROVE_BIG_ANY_H
 
@@ -16,6 +16,12 @@ static int64_t any_long(void) {
 static void any_big(gjk_big *x) {
   for (int i = 0; i < GJK_BIG_LIMBS; i++) {
     x->limb[i] = any_limb();
+  }
+}
+
+static void check_big(const gjk_big *x) {
+  for (int i = 0; i < GJK_BIG_LIMBS; i++) {
+    //@ assert \initialized(&x->limb[i]);
   }
 }
 
