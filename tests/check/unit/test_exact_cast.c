@@ -63,7 +63,7 @@ static void test_known(void) {
     count++;
     hits += truth.hit;
   }
-  CHECK(reader.errors == 0 && count == 48 && hits > 15);
+  CHECK(reader.errors == 0 && count == 26 && hits > 15);
   case_pair_free(&pair);
   fclose(cases);
   fclose(answers);
