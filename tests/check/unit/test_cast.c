@@ -52,6 +52,8 @@ static const gjk_shape box = GJK_BOX(100, 100, 100), point = GJK_POINT, small_bo
                        huge_box = GJK_BOX(GJK_Q16(2300.0), GJK_Q16(2300.0), GJK_Q16(2300.0));
 
 #define ONE GJK_Q30_ONE
+#define NONE \
+  { 0, 0, 0 }
 #define X_UP \
   { GJK_Q30_ONE, 0, 0 }
 #define Y_UP \
@@ -62,33 +64,25 @@ static const gjk_shape box = GJK_BOX(100, 100, 100), point = GJK_POINT, small_bo
 static const row rows[] = {
     {"ray onto a face", &box, &point, {300, 7, 9}, {-100, 7, 9}, HIT, ONE / 2, {100, 7, 9}, X_UP},
     {"ray that ends on the face", &box, &point, {300, 7, 9}, {100, 7, 9}, HIT, ONE, {100, 7, 9}, X_UP},
-    {"ray that ends an LSB before", &box, &point, {300, 7, 9}, {101, 7, 9}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
-    {"ray from the face outwards", &box, &point, {100, 7, 9}, {300, 7, 9}, INSIDE, 0, {100, 7, 9}, {0, 0, 0}},
-    {"ray from an LSB before outwards", &box, &point, {101, 7, 9}, {300, 7, 9}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
+    {"ray that ends an LSB before", &box, &point, {300, 7, 9}, {101, 7, 9}, MISS, 0, NONE, NONE},
+    {"ray from the face outwards", &box, &point, {100, 7, 9}, {300, 7, 9}, INSIDE, 0, {100, 7, 9}, NONE},
+    {"ray from an LSB before outwards", &box, &point, {101, 7, 9}, {300, 7, 9}, MISS, 0, NONE, NONE},
     {"ray along a face's plane", &box, &point, {300, 100, 9}, {-100, 100, 9}, HIT, ONE / 2, {100, 100, 9}, X_UP},
-    {"ray an LSB above the plane", &box, &point, {300, 101, 9}, {-100, 101, 9}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
+    {"ray an LSB above the plane", &box, &point, {300, 101, 9}, {-100, 101, 9}, MISS, 0, NONE, NONE},
     {"ray along an edge", &box, &point, {300, 100, 100}, {-100, 100, 100}, HIT, ONE / 2, {100, 100, 100}, X_UP},
-    {"ray through a corner", &box, &point, {200, 200, 0}, {0, 0, 200}, HIT, ONE / 2, {100, 100, 100}, {0, 0, 0}},
-    {"ray past a corner by an LSB", &box, &point, {201, 200, 0}, {1, 0, 200}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
-    {"ray of length 0 outside", &box, &point, {101, 0, 0}, {101, 0, 0}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
-    {"ray of length 0 on a corner",
-     &box,
-     &point,
-     {100, 100, 100},
-     {100, 100, 100},
-     INSIDE,
-     0,
-     {100, 100, 100},
-     {0, 0, 0}},
+    {"ray through a corner", &box, &point, {200, 200, 0}, {0, 0, 200}, HIT, ONE / 2, {100, 100, 100}, NONE},
+    {"ray past a corner by an LSB", &box, &point, {201, 200, 0}, {1, 0, 200}, MISS, 0, NONE, NONE},
+    {"ray of length 0 outside", &box, &point, {101, 0, 0}, {101, 0, 0}, MISS, 0, NONE, NONE},
+    {"ray of length 0 on a corner", &box, &point, {100, 100, 100}, {100, 100, 100}, INSIDE, 0, {100, 100, 100}, NONE},
     {"ray of an LSB", &box, &point, {101, 100, 0}, {100, 100, 0}, HIT, ONE, {100, 100, 0}, X_UP},
-    {"point onto a point", &point, &point, {30, 60, -90}, {-10, -20, 30}, HIT, 805306368, {0, 0, 0}, {0, 0, 0}},
-    {"point past a point", &point, &point, {30, 60, -90}, {-10, -20, 31}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
+    {"point onto a point", &point, &point, {30, 60, -90}, {-10, -20, 30}, HIT, 805306368, {0, 0, 0}, NONE},
+    {"point past a point", &point, &point, {30, 60, -90}, {-10, -20, 31}, MISS, 0, NONE, NONE},
     {"rod onto a rod, end on end", &rod, &rod, {0, 0, 300}, {0, 0, -100}, HIT, ONE / 2, {0, 0, 100}, Z_UP},
     {"rod beside a rod, side on side", &rod, &rod, {40, 0, 30}, {-40, 0, 30}, HIT, ONE / 2, {0, 0, 30}, X_UP},
-    {"ray onto a rod", &rod, &point, {40, 0, 50}, {-40, 0, 50}, HIT, ONE / 2, {0, 0, 50}, {0, 0, 0}},
-    {"ray past a rod's end", &rod, &point, {40, 0, 51}, {-40, 0, 51}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
-    {"chip along a plate's plane", &plate, &chip, {0, 310, 0}, {0, -90, 0}, HIT, ONE / 2, {0, 110, 0}, {0, 0, 0}},
-    {"chip an LSB above it", &plate, &chip, {0, 310, 1}, {0, -90, 1}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
+    {"ray onto a rod", &rod, &point, {40, 0, 50}, {-40, 0, 50}, HIT, ONE / 2, {0, 0, 50}, NONE},
+    {"ray past a rod's end", &rod, &point, {40, 0, 51}, {-40, 0, 51}, MISS, 0, NONE, NONE},
+    {"chip along a plate's plane", &plate, &chip, {0, 310, 0}, {0, -90, 0}, HIT, ONE / 2, {0, 110, 0}, NONE},
+    {"chip an LSB above it", &plate, &chip, {0, 310, 1}, {0, -90, 1}, MISS, 0, NONE, NONE},
     {"chip onto a plate", &plate, &chip, {3, 4, 8}, {3, 4, -8}, HIT, ONE / 2, {3, 4, 0}, Z_UP},
     {"box face on face", &box, &small_box, {310, 0, 0}, {-90, 0, 0}, HIT, ONE / 2, {110, 0, 0}, X_UP},
     {"box along a face, touching",
@@ -100,8 +94,8 @@ static const row rows[] = {
      389231411,
      {110, 110, 0},
      Y_UP},
-    {"box along a face, an LSB off", &box, &small_box, {111, 400, 0}, {111, -400, 0}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
-    {"box from an edge away", &box, &small_box, {110, 110, 0}, {400, 400, 0}, INSIDE, 0, {110, 110, 0}, {0, 0, 0}},
+    {"box along a face, an LSB off", &box, &small_box, {111, 400, 0}, {111, -400, 0}, MISS, 0, NONE, NONE},
+    {"box from an edge away", &box, &small_box, {110, 110, 0}, {400, 400, 0}, INSIDE, 0, {110, 110, 0}, NONE},
     {"from one end of the world to the other",
      &box,
      &small_box,
@@ -119,7 +113,7 @@ static const row rows[] = {
      HIT,
      461504512,
      {-301465600, -301465600, -301465600},
-     {0, 0, 0}},
+     NONE},
     {"the largest shapes, an LSB apart",
      &huge_box,
      &huge_box,
@@ -127,8 +121,8 @@ static const row rows[] = {
      {INT32_MAX, 301465601, 0},
      MISS,
      0,
-     {0, 0, 0},
-     {0, 0, 0}},
+     NONE,
+     NONE},
 };
 
 static void check_row(const row *r) {

@@ -12,6 +12,7 @@
 
 #define UNIT GJK_Q16_ONE
 #define CLOSE (UNIT / 10)
+#define DEGREE 1144
 
 static void *allocate(size_t count, size_t size) {
   void *memory = calloc(count, size);
@@ -55,25 +56,22 @@ static void make_shapes(random_state *random, gjk_q16 least, gjk_q16 most, case2
   }
 }
 
-static void of_game_size(random_state *random, size_t index, case2_pair *pair) {
+// Of sizes from least to most.
+static void apart(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   (void)index;
-  make_shapes(random, UNIT / 2, 2 * UNIT, pair);
+  make_shapes(random, family->least, family->most, pair);
   generate2_apart(random, 1.15 * generate2_unit(random), pair);
 }
 
-static void touching(random_state *random, size_t index, case2_pair *pair) {
+static void touching(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   (void)index;
-  make_shapes(random, UNIT / 2, 2 * UNIT, pair);
+  make_shapes(random, family->least, family->most, pair);
   generate2_near(random, random_range(random, -3, 3), pair);
 }
 
-static void large_touching(random_state *random, size_t index, case2_pair *pair) {
+static void edges_or_slivers(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
+  const char *name = strcmp(family->name, "edges") == 0 ? "edge-to-edge" : family->name;
   (void)index;
-  make_shapes(random, 20 * UNIT, 1000 * UNIT, pair);
-  generate2_near(random, random_range(random, -3, 3), pair);
-}
-
-static void by_name(const char *name, random_state *random, case2_pair *pair) {
   for (unsigned i = 0; i < generate2_family_count; i++) {
     if (strcmp(generate2_families[i].name, name) == 0) {
       generate2_families[i].generate(random, pair);
@@ -81,40 +79,24 @@ static void by_name(const char *name, random_state *random, case2_pair *pair) {
   }
 }
 
-static void edge_to_edge(random_state *random, size_t index, case2_pair *pair) {
+// Of coordinates of `most` bits.
+static void smallest(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   (void)index;
-  by_name("edge-to-edge", random, pair);
+  generate2_smallest_bits(random, (unsigned)family->most, pair);
 }
 
-static void slivers(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  by_name("slivers", random, pair);
-}
-
-static void smallest_14(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  generate2_smallest_bits(random, 14, pair);
-}
-
-static void smallest_20(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  generate2_smallest_bits(random, 20, pair);
-}
-
-static void smallest_26(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  generate2_smallest_bits(random, 26, pair);
-}
+#define FAMILY(name, generate, least, most) \
+  { name, PLANE_INTERSECT, generate, CASE2_POLYGON, CASE2_POLYGON, least, most, false, false }
 
 const plane_family plane_decision_families[] = {
-    {"game", PLANE_INTERSECT, of_game_size, false, false},
-    {"touching", PLANE_INTERSECT, touching, false, false},
-    {"large", PLANE_INTERSECT, large_touching, false, false},
-    {"edges", PLANE_INTERSECT, edge_to_edge, false, false},
-    {"slivers", PLANE_INTERSECT, slivers, false, false},
-    {"smallest-14", PLANE_INTERSECT, smallest_14, false, false},
-    {"smallest-20", PLANE_INTERSECT, smallest_20, false, false},
-    {"smallest-26", PLANE_INTERSECT, smallest_26, false, false},
+    FAMILY("game", apart, UNIT / 2, 2 * UNIT),
+    FAMILY("touching", touching, UNIT / 2, 2 * UNIT),
+    FAMILY("large", touching, 20 * UNIT, 1000 * UNIT),
+    FAMILY("edges", edges_or_slivers, 0, 0),
+    FAMILY("slivers", edges_or_slivers, 0, 0),
+    FAMILY("smallest-14", smallest, 0, 14),
+    FAMILY("smallest-20", smallest, 0, 20),
+    FAMILY("smallest-26", smallest, 0, 26),
 };
 const size_t plane_decision_family_count = sizeof plane_decision_families / sizeof plane_decision_families[0];
 
@@ -133,12 +115,13 @@ static gjk_q16 gap_of(const case2_pair *pair) {
 }
 
 // Boxes or 8-gons of 0.2 to 1 unit whose gap is from least to most.
-static void place(random_state *random, bool boxes, gjk_q16 least, gjk_q16 most, case2_pair *pair) {
+static void corners(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   gjk_q16 gap;
+  (void)index;
   do {
     for (int i = 0; i < 2; i++) {
       case2_shape *shape = i == 0 ? &pair->a : &pair->b;
-      if (boxes) {
+      if (family->a == CASE2_BOX) {
         make_box(random, UNIT, shape);
       } else {
         make_polygon(random, 8, UNIT, shape);
@@ -147,33 +130,21 @@ static void place(random_state *random, bool boxes, gjk_q16 least, gjk_q16 most,
       shape->pose.position = generate2_vector(random, 3.0 * UNIT * generate2_unit(random));
     }
     gap = gap_of(pair);
-  } while (gap < least || gap > most);
-}
-
-static void boxes_apart(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place(random, true, CLOSE, 2 * UNIT, pair);
-}
-
-static void polygons_apart(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place(random, false, CLOSE, 2 * UNIT, pair);
+  } while (gap < family->least || gap > family->most);
 }
 
 // In turn apart and overlapping.
-static void polygons_close(random_state *random, size_t index, case2_pair *pair) {
-  const bool apart = index % 2 == 0;
-  place(random, false, apart ? 1 : -CLOSE, apart ? CLOSE : -1, pair);
-}
-
-static void polygons_overlapping(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place(random, false, -2 * UNIT, -1000, pair);
+static void either_side(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
+  plane_family side = *family;
+  side.least = index % 2 == 0 ? 1 : family->least;
+  side.most = index % 2 == 0 ? family->most : -1;
+  corners(&side, random, index, pair);
 }
 
 // B is A turned half around the middle of an edge; then tilted by up to a degree, moved aside by up to 0.1 unit and
 // 300 to 3,276 LSB into A.
-static void polygons_face_to_face(random_state *random, size_t index, case2_pair *pair) {
+static void face_to_face(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
+  (void)family;
   (void)index;
   make_polygon(random, 8, UNIT, &pair->a);
   make_polygon(random, 8, UNIT, &pair->b);
@@ -200,55 +171,26 @@ static void set_round(random_state *random, case2_kind kind, case2_shape *out) {
 }
 
 // Shapes of 0.2 to 1 unit, turned at random, whose gap is from least to most.
-static void place_kinds(random_state *random, case2_kind a, case2_kind b, gjk_q16 least, gjk_q16 most,
-                        case2_pair *pair) {
+static void kinds(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   gjk_q16 gap;
+  (void)index;
   do {
-    set_round(random, a, &pair->a);
-    set_round(random, b, &pair->b);
+    set_round(random, family->a, &pair->a);
+    set_round(random, family->b, &pair->b);
     pair->b.pose.position = generate2_vector(random, 3.0 * UNIT * generate2_unit(random));
     gap = gap_of(pair);
-  } while (gap < least || gap > most);
+  } while (gap < family->least || gap > family->most);
 }
 
-static void circles_apart(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place_kinds(random, CASE2_POINT, CASE2_POINT, CLOSE, 2 * UNIT, pair);
-}
-
-static void capsules_apart(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place_kinds(random, CASE2_SEGMENT, CASE2_SEGMENT, CLOSE, 2 * UNIT, pair);
-}
-
-static void circle_and_box_apart(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place_kinds(random, CASE2_BOX, CASE2_POINT, CLOSE, 2 * UNIT, pair);
-}
-
-static void circles_touching(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place_kinds(random, CASE2_POINT, CASE2_POINT, -3276, -300, pair);
-}
-
-static void capsules_touching(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place_kinds(random, CASE2_SEGMENT, CASE2_SEGMENT, -3276, -300, pair);
-}
-
-static void circle_on_box(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  place_kinds(random, CASE2_BOX, CASE2_POINT, -3276, -300, pair);
-}
-
-// B stands on the upper side of A, 300 to 3,276 LSB deep and turned by up to `tilt`.
-static void stand(random_state *random, case2_kind kind, gjk_angle tilt, case2_pair *pair) {
+// B stands on the upper side of A, 300 to 3,276 LSB deep and turned by up to the angle `most`.
+static void on_box(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   gjk_q16 gap, deep = random_range(random, 300, 3276);
+  (void)index;
   set_round(random, CASE2_BOX, &pair->a);
-  set_round(random, kind, &pair->b);
+  set_round(random, family->b, &pair->b);
   pair->a.pose.rotation.c = GJK_Q30_ONE;
   pair->a.pose.rotation.s = 0;
-  (void)gjk2_rotation_from_angle(random_range(random, -tilt, tilt), &pair->b.pose.rotation);
+  (void)gjk2_rotation_from_angle(random_range(random, -family->most, family->most), &pair->b.pose.rotation);
   pair->b.pose.position.x = random_range(random, -pair->a.size.x, pair->a.size.x) / 2;
   pair->b.pose.position.y = 3 * UNIT;
   while ((gap = gap_of(pair)) > 0) {
@@ -257,28 +199,14 @@ static void stand(random_state *random, case2_kind kind, gjk_angle tilt, case2_p
   pair->b.pose.position.y -= deep;
 }
 
-static void boxes_flush(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  stand(random, CASE2_BOX, 0, pair);
-}
-
-static void boxes_tilted(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  stand(random, CASE2_BOX, 1144, pair);  // a degree
-}
-
-static void capsule_on_box(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  stand(random, CASE2_SEGMENT, 1144, pair);
-}
-
 // A: corners of hills from the right to the left, two units apart. B stands on them.
-static void stand_on_chain(random_state *random, case2_kind kind, case2_pair *pair) {
+static void on_chain(const plane_family *family, random_state *random, size_t index, case2_pair *pair) {
   gjk2_chain chain;
   gjk2_distance_result nearest;
   uint16_t segment;
   const gjk2_vec origin = {0, 0};
   static case2_collider b;
+  (void)index;
   case2_shape_reset(&pair->a);
   pair->a.kind = CASE2_POLYGON;
   case2_shape_set_count(&pair->a, 17);
@@ -286,8 +214,8 @@ static void stand_on_chain(random_state *random, case2_kind kind, case2_pair *pa
     pair->a.vertices[i].x = (8 - i) * 2 * UNIT;
     pair->a.vertices[i].y = random_range(random, -UNIT / 4, UNIT / 4);
   }
-  set_round(random, kind, &pair->b);
-  (void)gjk2_rotation_from_angle(random_range(random, -1144, 1144), &pair->b.pose.rotation);
+  set_round(random, family->b, &pair->b);
+  (void)gjk2_rotation_from_angle(random_range(random, -DEGREE, DEGREE), &pair->b.pose.rotation);
   pair->b.pose.position.x = random_range(random, -10 * UNIT, 10 * UNIT);
   pair->b.pose.position.y = 3 * UNIT;
   (void)gjk2_chain_init(&chain, pair->a.vertices, 17, &origin);
@@ -299,34 +227,26 @@ static void stand_on_chain(random_state *random, case2_kind kind, case2_pair *pa
   pair->b.pose.position.y -= random_range(random, 300, 3276);
 }
 
-static void circle_on_chain(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  stand_on_chain(random, CASE2_POINT, pair);
-}
-
-static void box_on_chain(random_state *random, size_t index, case2_pair *pair) {
-  (void)index;
-  stand_on_chain(random, CASE2_BOX, pair);
-}
-
 const plane_family plane_cost_families[] = {
-    {"distance: boxes apart", PLANE_DISTANCE, boxes_apart, false, true},
-    {"distance: 8-gons apart", PLANE_DISTANCE, polygons_apart, false, true},
-    {"distance: circles", PLANE_DISTANCE, circles_apart, true, false},
-    {"distance: capsules", PLANE_DISTANCE, capsules_apart, true, true},
-    {"distance: circle and box", PLANE_DISTANCE, circle_and_box_apart, true, true},
-    {"intersect: 8-gons close", PLANE_INTERSECT, polygons_close, false, false},
-    {"depth: 8-gons", PLANE_DEPTH, polygons_overlapping, false, false},
-    {"depth: circles", PLANE_DEPTH, circles_touching, true, false},
-    {"contacts: 8-gons face to face", PLANE_CONTACTS, polygons_face_to_face, false, true},
-    {"contacts: circles", PLANE_CONTACTS, circles_touching, true, false},
-    {"contacts: circle on box", PLANE_CONTACTS, circle_on_box, true, true},
-    {"contacts: capsules", PLANE_CONTACTS, capsules_touching, true, true},
-    {"contacts: capsule on box", PLANE_CONTACTS, capsule_on_box, true, true},
-    {"contacts: boxes flush", PLANE_CONTACTS, boxes_flush, false, true},
-    {"contacts: boxes tilted", PLANE_CONTACTS, boxes_tilted, false, true},
-    {"contacts: circle on a chain", PLANE_CHAIN, circle_on_chain, true, false},
-    {"contacts: box on a chain", PLANE_CHAIN, box_on_chain, true, false},
+    // name, query, maker, A, B, least, most, own, moved
+    {"distance: boxes apart", PLANE_DISTANCE, corners, CASE2_BOX, CASE2_BOX, CLOSE, 2 * UNIT, false, true},
+    {"distance: 8-gons apart", PLANE_DISTANCE, corners, CASE2_POLYGON, CASE2_POLYGON, CLOSE, 2 * UNIT, false, true},
+    {"distance: circles", PLANE_DISTANCE, kinds, CASE2_POINT, CASE2_POINT, CLOSE, 2 * UNIT, true, false},
+    {"distance: capsules", PLANE_DISTANCE, kinds, CASE2_SEGMENT, CASE2_SEGMENT, CLOSE, 2 * UNIT, true, true},
+    {"distance: circle and box", PLANE_DISTANCE, kinds, CASE2_BOX, CASE2_POINT, CLOSE, 2 * UNIT, true, true},
+    {"intersect: 8-gons close", PLANE_INTERSECT, either_side, CASE2_POLYGON, CASE2_POLYGON, -CLOSE, CLOSE, false,
+     false},
+    {"depth: 8-gons", PLANE_DEPTH, corners, CASE2_POLYGON, CASE2_POLYGON, -2 * UNIT, -1000, false, false},
+    {"depth: circles", PLANE_DEPTH, kinds, CASE2_POINT, CASE2_POINT, -3276, -300, true, false},
+    {"contacts: 8-gons face to face", PLANE_CONTACTS, face_to_face, CASE2_POLYGON, CASE2_POLYGON, 0, 0, false, true},
+    {"contacts: circles", PLANE_CONTACTS, kinds, CASE2_POINT, CASE2_POINT, -3276, -300, true, false},
+    {"contacts: circle on box", PLANE_CONTACTS, kinds, CASE2_BOX, CASE2_POINT, -3276, -300, true, true},
+    {"contacts: capsules", PLANE_CONTACTS, kinds, CASE2_SEGMENT, CASE2_SEGMENT, -3276, -300, true, true},
+    {"contacts: capsule on box", PLANE_CONTACTS, on_box, CASE2_BOX, CASE2_SEGMENT, 0, DEGREE, true, true},
+    {"contacts: boxes flush", PLANE_CONTACTS, on_box, CASE2_BOX, CASE2_BOX, 0, 0, false, true},
+    {"contacts: boxes tilted", PLANE_CONTACTS, on_box, CASE2_BOX, CASE2_BOX, 0, DEGREE, false, true},
+    {"contacts: circle on a chain", PLANE_CHAIN, on_chain, CASE2_POLYGON, CASE2_POINT, 0, 0, true, false},
+    {"contacts: box on a chain", PLANE_CHAIN, on_chain, CASE2_POLYGON, CASE2_BOX, 0, 0, true, false},
 };
 const size_t plane_cost_family_count = sizeof plane_cost_families / sizeof plane_cost_families[0];
 
@@ -383,7 +303,7 @@ plane_pair *plane_pairs_make(const plane_family *family, uint64_t seed, size_t c
       case2_pair *shapes = allocate(1, sizeof *shapes);
       case2_shape_reset(&shapes->a);
       case2_shape_reset(&shapes->b);
-      family->generate(&random, i, shapes);
+      family->generate(family, &random, i, shapes);
       made = set_pair(shapes, family->own, &pairs[i]);
       if (!made) {
         case2_pair_free(shapes);

@@ -8,12 +8,14 @@
 #include "plane.h"
 #include "random.h"
 
-// own: shapes that no other method is given. moved: a method that keeps a cache is asked as well, each time about the other
-// of two places of B.
+// least, most: what the maker needs two numbers for. own: shapes that no other method is given. moved: a method that keeps a
+// cache is asked as well, each time about the other of two places of B.
 typedef struct plane_family {
   const char *name;
   plane_query query;
-  void (*generate)(random_state *random, size_t index, case2_pair *pair);
+  void (*generate)(const struct plane_family *family, random_state *random, size_t index, case2_pair *pair);
+  case2_kind a, b;
+  gjk_q16 least, most;
   bool own, moved;
 } plane_family;
 
