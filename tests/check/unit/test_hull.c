@@ -1,4 +1,5 @@
-// Hulls: statuses, every dimension, faces for shapes, point sets that break builders with tolerances, and the check.
+// Hulls: statuses, every dimension, faces for shapes, point sets that break builders with tolerances, as many points as fit,
+// every size of workspace, and the check. test_hull_exact.c proves hulls of random families.
 #include "hull_points.h"
 
 #include "gjk/collider.h"
@@ -200,6 +201,71 @@ static void test_statuses(void) {
   CHECK(gjk_hull_write_faces(&hull, corner, 24, end, 6, &faces) == GJK_OK && faces.count == 6);
 }
 
+// 65,535 points: a lattice under a paraboloid, all of them extreme, whose squares are facets; and 27 places again and again.
+static void test_many(void) {
+  static gjk_vec3 point[GJK_HULL_POINTS_MAX], vertex[GJK_HULL_POINTS_MAX];
+  static uint32_t workspace[GJK_HULL_WORKSPACE(GJK_HULL_POINTS_MAX) / 4];
+  static uint16_t corner[GJK_HULL_POINTS_MAX], end[GJK_HULL_POINTS_MAX];
+  gjk_hull hull;
+  gjk_hull_faces faces;
+  gjk_hull_volume volume;
+  for (int32_t i = 0; i < GJK_HULL_POINTS_MAX; i++) {
+    const int32_t k = (int32_t)((int64_t)i * 40507 % GJK_HULL_POINTS_MAX), x = k % 255, y = k / 255;
+    point[i].x = x;
+    point[i].y = y;
+    point[i].z = x * x + y * y;
+  }
+  CHECK(gjk_hull_build(point, GJK_HULL_POINTS_MAX, workspace, sizeof workspace, &hull) == GJK_OK);
+  CHECK(hull.dimension == 3 && hull.vertices == GJK_HULL_POINTS_MAX);
+  CHECK(hull.faces - hull.edges + hull.vertices == 2);
+  // Below, the four corners of each square of the lattice are in one plane. Each side of the lattice is a facet, a polygon
+  // within a parabola, and so are its four corners, above.
+  CHECK_MSG(hull.faces == 254 * 256 + 5, "%lu faces", (unsigned long)hull.faces);
+  CHECK(gjk_hull_vertices(&hull, vertex, GJK_HULL_POINTS_MAX) == GJK_OK);
+  for (uint32_t i = 0; i < GJK_HULL_POINTS_MAX; i++) {
+    CHECK(vertex[i].x == (int32_t)(i / 257) && vertex[i].y == (int32_t)(i % 257));
+  }
+  CHECK(gjk_hull_write_faces(&hull, corner, GJK_HULL_POINTS_MAX, end, GJK_HULL_POINTS_MAX, &faces) ==
+        GJK_ERROR_CAPACITY);
+  for (uint32_t i = 0; i < GJK_HULL_POINTS_MAX; i++) {
+    point[i].x = (int32_t)(i % 3) * 1000;
+    point[i].y = (int32_t)(i / 3 % 3) * 1000;
+    point[i].z = (int32_t)(i / 9 % 3) * 1000;
+  }
+  CHECK(gjk_hull_build(point, GJK_HULL_POINTS_MAX, workspace, sizeof workspace, &hull) == GJK_OK);
+  CHECK(hull.vertices == 8 && hull.faces == 6 && hull.edges == 12 && gjk_hull_get_volume(&hull, &volume) == GJK_OK &&
+        volume.low == UINT64_C(48000000000) && volume.high == 0);
+}
+
+// A workspace of 40 bytes a point and 40 is enough, and nothing beyond it is touched; any smaller one is refused, and then
+// nothing is.
+static void test_workspaces(void) {
+  static uint32_t workspace[GJK_HULL_WORKSPACE(64) / 4 + 8];
+  random_state random = random_seed(check_seed(4));
+  CHECK(GJK_HULL_WORKSPACE(64) == 2600 && GJK_HULL_WORKSPACE(0) == 40);
+  for (uint16_t count = 1; count <= 64; count++) {
+    const size_t need = GJK_HULL_WORKSPACE(count);
+    gjk_hull hull;
+    p.count = 0;
+    while (p.count < count) {  // near a sphere
+      const int32_t x = random_range(&random, -100, 100), y = random_range(&random, -100, 100);
+      const int32_t z = random_range(&random, -100, 100), squared = x * x + y * y + z * z;
+      if (squared > 9000 && squared < 10000) {
+        hull_points_add(&p, x, y, z);
+      }
+    }
+    memset(workspace, 0xA5, sizeof workspace);
+    hull.vertices = 4711;
+    hull.faces = 4712;
+    for (size_t bytes = 0; bytes < need; bytes++) {
+      CHECK(gjk_hull_build(p.point, count, workspace, bytes, &hull) == GJK_ERROR_CAPACITY);
+    }
+    CHECK(hull.vertices == 4711 && hull.faces == 4712 && workspace[0] == UINT32_C(0xA5A5A5A5));
+    CHECK(gjk_hull_build(p.point, count, workspace, need, &hull) == GJK_OK);
+    CHECK(workspace[need / 4] == UINT32_C(0xA5A5A5A5));
+  }
+}
+
 // The fault that the check finds in faces of a cube.
 static unsigned fault_of(gjk_hull_faces faces, uint16_t face, uint16_t corner) {
   gjk_hull_report report;
@@ -302,6 +368,8 @@ int main(void) {
   test_prisms();
   test_hostile();
   test_statuses();
+  test_many();
+  test_workspaces();
   test_faults();
   test_layers();
   return check_done("hull");
