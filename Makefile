@@ -425,7 +425,7 @@ test: $(filter setup,$(MAKECMDGOALS))
 	@sh tests/build/run-tests.sh build $(TESTS)
 
 # Quick tests of every folder of src.
-QUICK_TESTS := $(addprefix build/test_,wide rotation quotient arm_cases bind contacts contacts_cases penetration_analytic simplex until \
+QUICK_TESTS := $(addprefix build/test_,wide rotation quotient arm_cases bind contacts contacts_cases penetration_extremes simplex until \
   hull hull_forged mass mass_add height_field surface_brute cast impact_analytic impact_pose parts compound pose_status aabb joint \
   collider_pose draw plane_check plane_contacts plane_polygon plane_impact plane_motion_search plane_scene_words \
   plane_scene_setup plane_scene_query within_until status scene_status scene_setup scene_query scene_contacts concave_start scan \

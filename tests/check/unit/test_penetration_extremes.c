@@ -1,5 +1,5 @@
 // Penetration at the limits: at the end of the world, with convex radii of an LSB, with no cells or very many, with
-// caches that cannot help.
+// caches that cannot help; and what is refused.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -305,6 +305,30 @@ static void test_many_faces(void) {
   free(large.cells);
 }
 
+// Refusals leave the output as it was. gjk_workspace_bytes agrees with GJK_EPA_CELLS.
+static void test_refusals(void) {
+  static const gjk_shape point = GJK_POINT;
+  const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
+  const gjk_collider a = placed(&point, (gjk_vec3){123456, 0, 0}, &turn), none = {0};
+  gjk_penetration_result r, before;
+  gjk_distance_result d;
+  CHECK(gjk_penetration(&a, &a, NULL, NULL, &r) == GJK_OK && r.intersecting && r.depth == 0);
+  memset(&r, 0x5A, sizeof r);
+  before = r;
+  CHECK(gjk_penetration(NULL, &a, NULL, NULL, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_penetration(&a, NULL, NULL, NULL, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_penetration(&a, &a, NULL, NULL, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_penetration(&a, &none, NULL, NULL, &r) == GJK_ERROR_UNINITIALISED);
+  CHECK(gjk_penetration(&none, &a, NULL, NULL, &r) == GJK_ERROR_UNINITIALISED);
+  CHECK(memcmp(&r, &before, sizeof r) == 0);
+  CHECK(gjk_signed_distance(NULL, &a, NULL, NULL, &d) == GJK_ERROR_NULL);
+  CHECK(gjk_signed_distance(&a, &a, NULL, NULL, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_signed_distance(&a, &none, NULL, NULL, &d) == GJK_ERROR_UNINITIALISED);
+  for (uint16_t vertices = 4; vertices < 16000; vertices = (uint16_t)(vertices + 37)) {
+    CHECK(gjk_workspace_bytes(vertices) == sizeof(gjk_epa_cell) * GJK_EPA_CELLS((size_t)vertices));
+  }
+}
+
 int main(void) {
   test_end_of_world();
   test_walls();
@@ -313,5 +337,6 @@ int main(void) {
   test_signed_apart();
   test_workspaces();
   test_many_faces();
+  test_refusals();
   return check_done("penetration_extremes");
 }
