@@ -179,20 +179,4 @@ for options in '--srdf a' '--scale 2' '--urdf --mesh' '--urdf --scale 0' '--urdf
   # shellcheck disable=SC2086 # words are wanted
   check "options $options" status 2 "$convert" $options $data/six.urdf
 done
-
-mutations() {
-  wild=$(find tests/programs/convert -name '*.c' ! -name main.c)
-  # shellcheck disable=SC2086
-  wild=$(awk -f tests/build/needed.awk needed= tests/check/unit/wild_urdf.c -- src/*/*.c $wild tests/support/*/*.c include/*/*.h |
-    sed "s/^needed= //")
-  # shellcheck disable=SC2086
-  "${CC:-cc}" -std=c99 -O1 -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
-    '-DGJK_PORT_HEADER="generic/gjk_port.h"' $wild -lm -o "$dir/wild" &&
-    "$dir/wild" $data/six.urdf $data/six.srdf 20000 "${GJK_TEST_SEED:-1}"
-}
-if echo 'int main(void) { return 0; }' | "${CC:-cc}" -fsanitize=undefined,address -x c - -o "$dir/empty" 2>/dev/null; then
-  check 'mutations of a robot' mutations
-else
-  skip 'mutations of a robot' 'a compiler with sanitizers'
-fi
 finish urdf_tool
