@@ -639,79 +639,12 @@ static void check_statuses(void) {
   CHECK(gjk2_ground_cast(&out, &identity, &point.collider, NULL, &hit, &segment) == GJK_ERROR_NULL);
 }
 
-// Data that nobody checked: queries read nothing outside of them, and end.
-static void check_hostile(random_state *r) {
-  for (int trial = 0; trial < 300; trial++) {
-    static gjk2_vec wild[40];
-    static int16_t any[40];
-    static uint8_t numbers[64];
-    static gjk2_tile table[4];
-    static gjk2_index_box claimed[GJK2_INDEX_BOXES(40)];
-    gjk2_index index;
-    for (unsigned i = 0; i < 40; i++) {
-      wild[i].x = (int32_t)i;
-      wild[i].y = 0;
-    }
-    const gjk2_polyline sound = {wild, 40, NULL};
-    CHECK(gjk2_index_build(&sound, claimed, GJK2_INDEX_BOXES(40), &index) == GJK_OK);
-    index.count = (uint16_t)(index.count + (random_below(r, 4) == 0));
-    index.segments = (uint16_t)(index.segments + (random_below(r, 4) == 0));
-    index.shift = (uint8_t)random_below(r, 20);
-    index.corner.x = (int32_t)random_u32(r) >> random_below(r, 24);
-    index.corner.y = (int32_t)random_u32(r) >> random_below(r, 24);
-    for (unsigned i = 0; i < 40; i++) {
-      const uint32_t bits = random_below(r, 32);
-      wild[i].x = (int32_t)random_u32(r) >> bits;
-      wild[i].y = (int32_t)random_u32(r) >> bits;
-      any[i] = (int16_t)random_u32(r);
-    }
-    for (unsigned i = 0; i < sizeof claimed / sizeof claimed[0]; i++) {
-      claimed[i].lower_x = (uint16_t)random_u32(r);
-      claimed[i].upper_y = (uint16_t)random_u32(r);
-    }
-    for (unsigned i = 0; i < 64; i++) {
-      numbers[i] = (uint8_t)random_below(r, 6);
-    }
-    for (unsigned i = 0; i < 4; i++) {
-      const gjk2_tile form = {(uint8_t)random_u32(r), (uint8_t)random_u32(r), (uint8_t)random_u32(r),
-                              random_below(r, 2) == 0};
-      table[i] = form;
-    }
-    const gjk2_polyline p = {random_below(r, 8) == 0 ? NULL : wild, 40, random_below(r, 2) == 0 ? NULL : &index};
-    const gjk2_heights h = {any, 40, (int32_t)random_u32(r) >> random_below(r, 31), (uint8_t)random_below(r, 20)};
-    const gjk2_tiles t = {numbers, 8, 8, (int32_t)random_u32(r) >> random_below(r, 31), 4, table};
-    const gjk2_ground grounds[] = {
-        {&gjk2_ground_chain, &p, {0, 0}}, {&gjk2_ground_heights, &h, {0, 0}}, {&gjk2_ground_tiles, &t, {0, 0}}};
-    for (unsigned k = 0; k < 3; k++) {
-      gjk2_pose pose = any_pose(r);
-      gjk2_chain_contact found[4];
-      gjk2_distance_result distance;
-      gjk2_cast_result hit;
-      uint16_t count = 0;
-      uint32_t segment;
-      bool yes;
-      plane_random_shape(r, 1 << 14, &body);
-      body.pose = pose;
-      plane_place(&body, true);
-      const gjk2_vec to = {random_range(r, -1000000, 1000000), random_range(r, -1000000, 1000000)};
-      const gjk2_cast_path path = {NULL, &to, 0};
-      CHECK(gjk2_ground_within(&grounds[k], &pose, &body.collider, 1 << 20, &yes) == GJK_OK);
-      const gjk_status status = gjk2_ground_contacts(&grounds[k], &pose, &body.collider, 4096, found, 4, &count);
-      CHECK(status == GJK_OK || status == GJK_ERROR_CAPACITY || status == GJK_ERROR_ITERATION_LIMIT);
-      (void)gjk2_ground_distance(&grounds[k], &pose, &body.collider, &distance, &segment, &yes);
-      (void)gjk2_ground_cast(&grounds[k], &pose, &body.collider, &path, &hit, &segment);
-      (void)gjk2_ground_cast_ray(&grounds[k], &pose, &pose.position, &to, &hit, &segment);
-    }
-  }
-}
-
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   check_statuses();
   check_grids(&random);
   check_queries(&random);
   check_outlines(&random);
-  check_hostile(&random);
   printf(
       "%lu pieces, %lu surfaces, %lu segments near, %lu far, %lu in front, %lu behind, %lu contacts, %lu hits, %lu "
       "misses, "
