@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "filled.h"
 #include "gjk/contacts.h"
 #include "gjk/gjk.h"
 #include "random.h"
@@ -14,7 +15,6 @@
 #define PAIRS 1500
 #define VERTICES 24
 #define CELLS GJK_EPA_CELLS(256)
-#define FIELDS_MAX 16
 
 typedef union answer {
   gjk_decision decision;
@@ -171,16 +171,6 @@ static const struct query {
 #define STATUSES 16
 
 static unsigned long seen[QUERIES][STATUSES];
-
-static bool is_filled(const void *memory, size_t size, unsigned char with) {
-  const unsigned char *byte = memory;
-  for (size_t i = 0; i < size; i++) {
-    if (byte[i] != with) {
-      return false;
-    }
-  }
-  return true;
-}
 
 // Compares the pairs and the direction of a certificate, as far as its proof uses them.
 static bool same_proof(const gjk_certificate *p, const gjk_certificate *q) {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "filled.h"
 #include "gjk/cast.h"
 #include "gjk/gjk.h"
 #include "gjk/impact.h"
@@ -55,16 +56,6 @@ static void expect(bool holds, const char *what) {
     printf("failed: %s\n", what);
     failures++;
   }
-}
-
-static bool is_filled(const void *memory, size_t size, unsigned char with) {
-  const unsigned char *byte = memory;
-  for (size_t i = 0; i < size; i++) {
-    if (byte[i] != with) {
-      return false;
-    }
-  }
-  return true;
 }
 
 // out: two answers, the first filled with 0xA5 before, the other with 0x5A.

@@ -3,12 +3,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "filled.h"
 #include "gjk2/gjk2.h"
 #include "gjk2/ground.h"
 #include "random.h"
 
 #define PAIRS 6000
-#define UNTOUCHED 0x5A
 
 static unsigned long settled, limited, useful, deep, open_lines, open_gaps, open_contacts, open_depths, wrong;
 
@@ -19,27 +19,17 @@ static void expect(bool condition, const char *what) {
   }
 }
 
-static bool is_untouched(const void *p, size_t bytes) {
-  const unsigned char *at = (const unsigned char *)p;
-  for (size_t i = 0; i < bytes; i++) {
-    if (at[i] != UNTOUCHED) {
-      return false;
-    }
-  }
-  return true;
-}
-
 static void ask(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 truth) {
   gjk2_distance_result gap, line;
   gjk2_penetration_result depth;
   gjk2_decision yes;
   gjk2_manifold manifold;
   const int32_t slack = 3, positive = truth > 0 ? truth : 0;
-  memset(&gap, UNTOUCHED, sizeof gap);
-  memset(&line, UNTOUCHED, sizeof line);
-  memset(&depth, UNTOUCHED, sizeof depth);
-  memset(&manifold, UNTOUCHED, sizeof manifold);
-  memset(&yes, UNTOUCHED, sizeof yes);
+  memset(&gap, POISON, sizeof gap);
+  memset(&line, POISON, sizeof line);
+  memset(&depth, POISON, sizeof depth);
+  memset(&manifold, POISON, sizeof manifold);
+  memset(&yes, POISON, sizeof yes);
   const gjk_status status = gjk2_distance(a, b, NULL, &gap);
   expect(gap.lower <= positive + slack && gap.upper >= positive - slack, "bounds of the distance");
   if (status == GJK_OK) {
@@ -82,9 +72,9 @@ static void ask_chain(random_state *random, int32_t size, const gjk2_collider *e
   bool yes[2];
   uint16_t segment, count = 77;
   memset(&chain, 0, sizeof chain);
-  memset(&gap, UNTOUCHED, sizeof gap);
-  memset(yes, UNTOUCHED, sizeof yes);
-  memset(&segment, UNTOUCHED, sizeof segment);
+  memset(&gap, POISON, sizeof gap);
+  memset(yes, POISON, sizeof yes);
+  memset(&segment, POISON, sizeof segment);
   for (int i = 0; i < 4; i++) {
     line[i].x = random_range(random, -2 * size, 2 * size);
     line[i].y = random_range(random, -2 * size, 2 * size);
@@ -99,7 +89,7 @@ static void ask_chain(random_state *random, int32_t size, const gjk2_collider *e
     open_lines++;
   }
   expect(gjk2_chain_distance(&chain, circle, NULL, &truth, &segment) == GJK_OK, "the circle's distance from a chain");
-  memset(&segment, UNTOUCHED, sizeof segment);
+  memset(&segment, POISON, sizeof segment);
   const gjk_status measured = gjk2_chain_distance(&chain, ellipse, NULL, &gap, &segment);
   if (measured == GJK_OK) {
     expect(gap.distance - truth.distance <= 3 && truth.distance - gap.distance <= 3, "distance from a chain");

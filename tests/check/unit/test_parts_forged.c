@@ -3,9 +3,8 @@
 #include <string.h>
 
 #include "check.h"
+#include "filled.h"
 #include "gjk/gjk.h"
-
-#define POISON 0xA5
 
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
 static const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
@@ -15,16 +14,6 @@ static gjk_collider placed(const gjk_shape *shape) {
   gjk_collider c;
   CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
   return c;
-}
-
-static bool is_poison(const void *from, size_t size) {
-  const uint8_t *byte = (const uint8_t *)from;
-  for (size_t i = 0; i < size; i++) {
-    if (byte[i] != POISON) {
-      return false;
-    }
-  }
-  return true;
 }
 
 // The queries that ask a part whatever its place is.
@@ -41,7 +30,7 @@ static void check_refusals(const gjk_parts *a) {
   CHECK(gjk_parts_place(a, 0, &room, &c) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_distance(a, &b, &part, &distance) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_time_of_impact(a, &still, &b, &still, &setup, &part, &impact) == GJK_ERROR_RANGE);
-  CHECK(part == 77 && is_poison(&distance, sizeof distance) && is_poison(&impact, sizeof impact));
+  CHECK(part == 77 && is_untouched(&distance, sizeof distance) && is_untouched(&impact, sizeof impact));
 }
 
 static void test_holes(void) {
@@ -61,9 +50,9 @@ static void test_holes(void) {
   check_refusals(&holes);
   memset(&distance, POISON, sizeof distance);
   CHECK(gjk_parts_both_distance(&balls, &holes, &pair, &distance) == GJK_ERROR_EMPTY);
-  CHECK(is_poison(&distance, sizeof distance) && pair.a == 77 && pair.b == 77);
+  CHECK(is_untouched(&distance, sizeof distance) && pair.a == 77 && pair.b == 77);
   CHECK(gjk_parts_both_distance(&holes, &balls, &pair, &distance) == GJK_ERROR_RANGE);
-  CHECK(is_poison(&distance, sizeof distance) && pair.a == 77 && pair.b == 77);
+  CHECK(is_untouched(&distance, sizeof distance) && pair.a == 77 && pair.b == 77);
   CHECK(gjk_parts_both_within(&balls, &holes, 0, &pair, &decision) == GJK_OK && !decision.yes);
   CHECK(pair.a == GJK_PARTS_NONE && pair.b == GJK_PARTS_NONE);
   CHECK(gjk_parts_both_penetration(&balls, &holes, NULL, &pair, &depth) == GJK_OK && !depth.intersecting);
@@ -85,12 +74,12 @@ static void test_nodes(void) {
   memset(&impact, POISON, sizeof impact);
   memset(&distance, POISON, sizeof distance);
   CHECK(gjk_parts_time_of_impact(&body, &still, &b, &still, &setup, &part, &impact) == GJK_ERROR_RANGE);
-  CHECK(part == 77 && is_poison(&impact, sizeof impact));
+  CHECK(part == 77 && is_untouched(&impact, sizeof impact));
   const gjk_vec3 apart = {GJK_Q16(3.0), 0, 0};
   gjk_collider far = placed(&ball);
   CHECK(gjk_collider_move(&far, &apart) == GJK_OK);
   CHECK(gjk_parts_distance(&body, &far, &part, &distance) == GJK_ERROR_RANGE);
-  CHECK(part == 77 && is_poison(&distance, sizeof distance));
+  CHECK(part == 77 && is_untouched(&distance, sizeof distance));
 }
 
 static void test_numbers(void) {

@@ -1,25 +1,15 @@
 // What is refused in the plane, and what only rare input reaches: missing arguments, shapes at their limits, forged
 // certificates of each kind, the largest depths, hulls without area, ends of the world, far pairs with few iterations.
+#include "filled.h"
 #include "plane.h"
 
 #define SEED 2015
 #define LARGE check_trials_least(20000, 2000)
 #define FAR_EFFORTS check_trials_least(20000, 1000)
-#define UNTOUCHED 0x5A
 
 static unsigned long grown, far_open, enclosing[2];
 
 static const gjk2_pose identity = GJK2_POSE_IDENTITY;
-
-static bool is_untouched(const void *p, size_t bytes) {
-  const unsigned char *at = (const unsigned char *)p;
-  for (size_t i = 0; i < bytes; i++) {
-    if (at[i] != UNTOUCHED) {
-      return false;
-    }
-  }
-  return true;
-}
 
 static void place_at(gjk2_collider *c, const gjk2_shape *shape, int32_t x, int32_t y) {
   gjk2_pose pose = identity;
@@ -36,9 +26,9 @@ static void check_poses(void) {
   gjk2_rotation r;
   gjk2_vec p;
   gjk2_pose q;
-  memset(&r, UNTOUCHED, sizeof r);
-  memset(&p, UNTOUCHED, sizeof p);
-  memset(&q, UNTOUCHED, sizeof q);
+  memset(&r, POISON, sizeof r);
+  memset(&p, POISON, sizeof p);
+  memset(&q, POISON, sizeof q);
   CHECK(gjk2_rotation_normalize(NULL, &r) == GJK_ERROR_NULL &&
         gjk2_rotation_normalize(&turned, NULL) == GJK_ERROR_NULL);
   CHECK(gjk2_rotation_compose(&turned, NULL, &r) == GJK_ERROR_NULL);
@@ -105,7 +95,7 @@ static void check_shapes(void) {
   CHECK(gjk2_collider_pose(NULL, &identity) == GJK_ERROR_NULL);
   CHECK(gjk2_collider_move(NULL, &out) == GJK_ERROR_NULL && gjk2_collider_move(&c, NULL) == GJK_ERROR_NULL);
   CHECK(gjk2_collider_move(&c, &out) == GJK_ERROR_RANGE && c.centre.y == 4);
-  memset(&aabb, UNTOUCHED, sizeof aabb);
+  memset(&aabb, POISON, sizeof aabb);
   CHECK(gjk2_collider_aabb(NULL, &aabb) == GJK_ERROR_NULL && gjk2_collider_aabb(&c, NULL) == GJK_ERROR_NULL);
   CHECK(is_untouched(&aabb, sizeof aabb));
 }
@@ -130,9 +120,9 @@ static void check_queries(void) {
   gjk2_manifold manifold;
   place_at(&c, &ball, 0, 0);
   memset(&raw, 0, sizeof raw);
-  memset(&line, UNTOUCHED, sizeof line);
-  memset(&yes, UNTOUCHED, sizeof yes);
-  memset(&manifold, UNTOUCHED, sizeof manifold);
+  memset(&line, POISON, sizeof line);
+  memset(&yes, POISON, sizeof yes);
+  memset(&manifold, POISON, sizeof manifold);
   CHECK(gjk2_distance_until(&c, &raw, &effort, NULL, &line) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk2_distance_until(&c, &c, &effort, NULL, NULL) == GJK_ERROR_NULL);
   CHECK(gjk2_check_decision(&c, &raw, 0, &yes) == GJK_ERROR_UNINITIALISED);

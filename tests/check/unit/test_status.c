@@ -2,24 +2,13 @@
 #include <string.h>
 
 #include "check.h"
+#include "filled.h"
 #include "gjk/gjk.h"
 
 #define ONE GJK_Q16_ONE
-#define POISON 0xA5
 
 static const gjk_shape cube = GJK_BOX(ONE, ONE, ONE);
 static const gjk_pose origin = GJK_POSE_IDENTITY;
-
-// Does memory hold only the poison?
-static bool is_untouched(const void *memory, size_t bytes) {
-  const unsigned char *byte = memory;
-  for (size_t i = 0; i < bytes; i++) {
-    if (byte[i] != POISON) {
-      return false;
-    }
-  }
-  return true;
-}
 
 static void support_origin(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
   static const gjk_vec3 zero = {0, 0, 0};
