@@ -163,6 +163,34 @@ static void check_far(void) {
   }
 }
 
+// A ball that goes a little way from another one almost straight to a third. Whether the gap there is measured, as it always is
+// for a proof, does not change the answer.
+static void check_same_gap(void) {
+  static const gjk_shape ball = GJK_SPHERE(1000);
+  const gjk_vec3 aslant = {100, 10, 10};
+  make_single(&ball);
+  m.links[0].kind = GJK_ARM_PRISMATIC;
+  m.links[0].axis = aslant;
+  CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_OK);
+  for (int32_t to = 2; to < 40; to++) {
+    for (int gap = 36; gap < 44; gap++) {
+      const int32_t from = 0;
+      gjk_arm_edge_result result = {.answer = GJK_ARM_UNSETTLED};
+      gjk_pose pose;
+      CHECK(gjk_arm_poses(&m.arm, &to, &pose) == GJK_OK);
+      pose.position.x += 2000 + gap;
+      CHECK(gjk_collider_init(&m.obstacles[1], &ball, NULL, 0) == GJK_OK);
+      CHECK(gjk_collider_pose(&m.obstacles[1], &pose) == GJK_OK);
+      put_wall(&ball, -2040, 0, 0);
+      CHECK(gjk_arm_obstacles(&m.arm, m.obstacles, 2) == GJK_OK);
+      const gjk_q16 unproven = run(from, to, &plain).gap;
+      proof_count = 0;
+      CHECK(gjk_arm_edge_start(&m.arm, &from, &to, &plain, take, NULL) == GJK_OK);
+      CHECK(gjk_arm_edge_run(&m.arm, 100, &result) == GJK_OK && result.gap == unproven && proof_count == 2);
+    }
+  }
+}
+
 // A ball that goes straight through a wall. A direction that parts them at one end of the edge alone proves nothing: of an
 // obstacle, and of a body of one piece.
 static void check_one_end(void) {
@@ -379,6 +407,7 @@ int main(void) {
   check_ceilings();
   check_far();
   check_one_end();
+  check_same_gap();
   check_offsets();
   check_path();
   check_models();

@@ -408,8 +408,21 @@ static void test_repeated_corner(void) {
   CHECK(m.feature_a == 1);
 }
 
+// Cylinders across each other at a small angle: the ends of what their sides share lie aside of each other. The point between
+// them is aside^2 / 4 / (2 radius) LSB off the thinner one: 1/2 LSB at 512.
+static void test_crossing_sides(void) {
+  static const gjk_shape thin = GJK_CYLINDER(ONE, ONE), thick = GJK_CYLINDER(2 * ONE, ONE);
+  for (int aside = 448; aside < 576; aside += 4) {
+    const gjk_pose there = turned(at(3 * ONE + 20, 0, 0), &axis_x, aside);
+    const gjk_manifold m = meet(&thin, origin, &thick, there, 8), n = meet(&thick, there, &thin, origin, 8);
+    CHECK(m.feature_a == 2 && m.feature_b == 2);
+    CHECK_MSG(abs(aside - 512) < 4 || (m.count == (aside < 512 ? 2 : 1) && n.count == m.count), "%d aside", aside);
+  }
+}
+
 int main(void) {
   test_features();
+  test_crossing_sides();
   test_edge_over_corner();
   test_leaning_triangle();
   test_ridge();

@@ -398,13 +398,30 @@ static void check_scene(void) {
   CHECK(drawn.lines == 0);
 }
 
-// Directions of outlines, to the nearest LSB.
+// So far along a direction, to the nearest LSB.
+static gjk_q16 along(gjk_q30 x, gjk_q16 length) {
+  return (gjk_q16)(((INT64_C(1) << 60) + GJK_Q30_ONE / 2 + (int64_t)x * length) / GJK_Q30_ONE - GJK_Q30_ONE);
+}
+
+// Directions of outlines, to the nearest LSB: as the header has them, and as the outlines of large balls show them.
 static void check_directions(void) {
   for (unsigned i = 0; i < GJK_DRAW_DIRECTIONS; i++) {
     const double angle = i * 3.14159265358979323846 / (GJK_DRAW_DIRECTIONS / 2);
     gjk_q30 x, y;
     gjk_circle(i, &x, &y);
     CHECK(x == llround(cos(angle) * GJK_Q30_ONE) && y == llround(sin(angle) * GJK_Q30_ONE));
+    for (gjk_q16 radius = GJK_RADIUS_MAX; radius > GJK_RADIUS_MAX / 2; radius -= 3000017) {
+#if SPACE
+      const gjk_shape ball = GJK_SPHERE(radius);
+#else
+      const gjk_shape ball = GJK2_CIRCLE(radius);
+#endif
+      const gjk_collider c = place_at(&ball, 0, 0);
+      clear();
+      CHECK(gjk_draw_collider(&out, &c, GJK_DRAW_MOVING) == GJK_OK && drawn.lines == ROUND);
+      const gjk_vec3 *p = &drawn.from[ROUND - GJK_DRAW_DIRECTIONS + i];  // of the last silhouette
+      CHECK(p->x == along(x, radius) && p->y == along(y, radius));
+    }
   }
 }
 

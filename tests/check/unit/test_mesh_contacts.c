@@ -226,8 +226,37 @@ static void check_turned_level(random_state *random) {
   CHECK(apart > 2000 && together > 200);
 }
 
+// A ball above the ridge of a roof of two sides touches it along the normal of the ridge: seen from in front as from behind,
+// whichever of their edges it is.
+static void check_ridge(void) {
+  static const gjk_vec3 corners[4] = {{0, -60000, 0}, {0, 60000, 0}, {60000, 0, -60000}, {-60000, 0, -60000}};
+  static const uint32_t around[2][3] = {{0, 2, 1}, {1, 3, 0}};
+  static const gjk_shape ball = GJK_SPHERE(30000);
+  const gjk_pose above = {{0, 0, 30100}, {0, 0, 0, GJK_Q30_ONE}};
+  found_contacts found;
+  gjk_collider body;
+  CHECK(gjk_collider_init(&body, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&body, &above) == GJK_OK);
+  for (unsigned k = 0; k < 6; k++) {
+    gjk_mesh_triangle roof[2];
+    gjk_mesh_node node;
+    gjk_mesh mesh;
+    for (unsigned i = 0; i < 6; i++) {
+      roof[i / 3].corner[i % 3] = around[i / 3][(k < 3 ? k + i : k + 5 - i % 3) % 3];
+    }
+    CHECK(gjk_mesh_build(corners, 4, roof, 2, true, &node, 1, &mesh) == GJK_OK);
+    const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
+    CHECK(gjk_surface_contacts(&parts, &body, 200, 4, NULL, found.contact, FOUND_MAX, &found.count) == GJK_OK);
+    CHECK_MSG(found.count == 2, "%u: %u manifolds", k, found.count);
+    for (unsigned i = 0; i < found.count; i++) {
+      const gjk_manifold *m = &found.contact[i].manifold;
+      CHECK(m->count == 1 && m->contact[0].distance == 100 && m->normal.z > GJK_Q30_ONE - 8);
+    }
+  }
+}
+
 int main(void) {
   static trial t;
+  check_ridge();
   const uint64_t seed = check_seed(SEED);
   for (unsigned long i = 0; i < TRIALS; i++) {
     random_state random = random_seed(seed + i);

@@ -47,6 +47,12 @@ static void check_limits(void) {
     const uint32_t count = 2 * (limits[i].columns - UINT32_C(1)) * (limits[i].rows - UINT32_C(1));
     CHECK_MSG(gjk_height_field_check(&field) == (limits[i].right ? GJK_OK : GJK_ERROR_RANGE), "limit %u", i);
     CHECK(gjk_parts_count(&parts) == (limits[i].right ? count : 0));
+    // Down through the middle, against both axes.
+    const int32_t x = (limits[i].columns - 1) * limits[i].step_x / 2, y = (limits[i].rows - 1) * limits[i].step_y / 2;
+    const gjk_vec3 from = {x + 1, y + 1, GJK_Q16_ONE}, to = {x - 1, y - 1, -GJK_Q16_ONE};
+    gjk_cast_result ray;
+    CHECK(!limits[i].right ||
+          (gjk_parts_cast_ray(&parts, &from, &to, NULL, &ray) == GJK_OK && ray.hit && ray.fraction == GJK_Q30_ONE / 2));
   }
 }
 

@@ -173,11 +173,36 @@ static void check_beside(const gjk_shape *shape, gjk_q16 half_width) {
     const gjk_slide_result r = walk(&c, middle, &setup);
     CHECK(!r.stuck && is_near(r.position.x, -side * SKIN, 8) && r.position.y == 0);
   }
+  for (gjk_q16 gap = SKIN / 2; gap > 0; gap /= 2) {
+    start_scene();
+    add_at(1, half_width + ONE / 2 + gap, 0, 0);
+    add_at(1, -half_width - ONE / 2 - gap, 0, 0);
+    const gjk_slide_result r = walk(&c, high, &setup);
+    CHECK(!r.stuck && is_near(r.position.x, 0, 8) && is_near(r.position.y, 2 * ONE, 8));
+  }
+}
+
+// Up a slope of 45 degrees, which leads beyond the box that start and end span: under eaves there.
+static void check_eaves(void) {
+#if SPACE
+  const gjk_quat turn = {0, 0, 41421, 100000};
+#else
+  const gjk_quat turn = {100000, 100000};
+#endif
+  const gjk_vec3 start = VECTOR(0, 0, 0), to = VECTOR(13 * ONE, 3 * ONE, 0),
+                 middle = VECTOR(GJK_Q16(11.04), GJK_Q16(1.1), 0);
+  gjk_slide_setup setup = usual();
+  gjk_pose slope = GJK_POSE_IDENTITY;
+  gjk_collider c;
+  setup.step = setup.reach = 0;
+  slope.position = middle;
+  CHECK(gjk_quat_normalize(&turn, &slope.rotation) == GJK_OK);
   start_scene();
-  add_at(1, half_width + ONE / 2 + SKIN / 2, 0, 0);
-  add_at(1, -half_width - ONE / 2 - SKIN / 2, 0, 0);
-  const gjk_slide_result r = walk(&c, high, &setup);
-  CHECK(!r.stuck && is_near(r.position.x, 0, 8) && is_near(r.position.y, 2 * ONE, 8));
+  add(0, &slope);
+  add_at(1, GJK_Q16(11.2), GJK_Q16(4.5), 0);
+  set_walker(&c, &robot, start);
+  const gjk_slide_result r = walk(&c, to, &setup);
+  CHECK(r.count == 2 && is_near(r.position.y, 4 * ONE - ONE / 2 - SKIN, 8));
 }
 
 static gjk_vec3 random_vector(random_state *random, int32_t size) {
@@ -304,6 +329,7 @@ int main(void) {
     check_beside(&robot, ONE / 3);
     check_floor(&man, GJK_Q16(0.3), GJK_Q16(0.8));
     check_beside(&man, GJK_Q16(0.3));
+    check_eaves();
   }
   for (unsigned i = 0; i < ROOMS; i++) {
     check_trial(i, NULL, NULL);
