@@ -102,6 +102,7 @@ static gjk_slide_setup usual(void) {
 
 static gjk_slide_result walk(const gjk_collider *c, gjk_vec3 to, const gjk_slide_setup *setup) {
   gjk_slide_result result;
+  memset(&result, 0x5A, sizeof result);
   CHECK(gjk_slide(&scene, c, &to, setup, &result) == GJK_OK);
   most_casts = result.casts > most_casts ? result.casts : most_casts;
   CHECK(result.casts <= GJK_SLIDE_CASTS);
@@ -162,7 +163,7 @@ static void check_floor(const gjk_shape *shape, gjk_q16 half_width, gjk_q16 half
 }
 
 // Beside a crate that it touches, on either side it goes away by the skin. Between two that leave less it goes on as near.
-static void check_beside(const gjk_shape *shape, gjk_q16 half_width) {
+static void check_beside(const gjk_shape *shape, gjk_q16 half_width, gjk_q16 half_depth) {
   const gjk_slide_setup setup = usual();
   const gjk_vec3 middle = VECTOR(0, 0, 0), high = VECTOR(0, 2 * ONE, 0);
   gjk_collider c;
@@ -172,7 +173,14 @@ static void check_beside(const gjk_shape *shape, gjk_q16 half_width) {
     add_at(1, side * (half_width + ONE / 2), 0, 0);
     const gjk_slide_result r = walk(&c, middle, &setup);
     CHECK(!r.stuck && is_near(r.position.x, -side * SKIN, 8) && r.position.y == 0);
+#if SPACE
+    start_scene();
+    add_at(1, 0, 0, side * (half_depth + ONE / 2));
+    const gjk_slide_result before = walk(&c, middle, &setup);
+    CHECK(!before.stuck && before.position.x == 0 && is_near(before.position.z, -side * SKIN, 8));
+#endif
   }
+  (void)half_depth;
   for (gjk_q16 gap = SKIN / 2; gap > 0; gap /= 2) {
     start_scene();
     add_at(1, half_width + ONE / 2 + gap, 0, 0);
@@ -182,28 +190,75 @@ static void check_beside(const gjk_shape *shape, gjk_q16 half_width) {
   }
 }
 
-// Up a slope of 45 degrees, which leads beyond the box that start and end span: under eaves there.
-static void check_eaves(void) {
+// A slope of 45 degrees whose middle is there.
+static void add_slope(gjk_q16 x, gjk_q16 y) {
 #if SPACE
-  const gjk_quat turn = {0, 0, 41421, 100000};
+  const gjk_quat turn = {0, 0, 41421356, 100000000};
 #else
   const gjk_quat turn = {100000, 100000};
 #endif
-  const gjk_vec3 start = VECTOR(0, 0, 0), to = VECTOR(13 * ONE, 3 * ONE, 0),
-                 middle = VECTOR(GJK_Q16(11.04), GJK_Q16(1.1), 0);
+  const gjk_vec3 middle = VECTOR(x, y, 0);
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  pose.position = middle;
+  CHECK(gjk_quat_normalize(&turn, &pose.rotation) == GJK_OK);
+  start_scene();
+  add(0, &pose);
+}
+
+// It is ground if the cosine, sqrt(1/2), is at least what is asked for.
+static void check_slope(void) {
+  const gjk_vec3 start = VECTOR(0, 0, 0);
   gjk_slide_setup setup = usual();
-  gjk_pose slope = GJK_POSE_IDENTITY;
+  gjk_collider c;
+  setup.reach = ONE;
+  add_slope(GJK_Q16(1.2), -GJK_Q16(1.2));
+  set_walker(&c, &robot, start);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    setup.slope = 759250125 + sign * 100;
+    const gjk_slide_result r = walk(&c, start, &setup);
+    CHECK(r.on_ground == (sign < 0) && !r.stepped && r.count == 0 && r.left.x == 0);
+  }
+}
+
+// Up a slope, which leads beyond the box that start and end span: under eaves there.
+static void check_eaves(void) {
+  const gjk_vec3 start = VECTOR(0, 0, 0), to = VECTOR(13 * ONE, 3 * ONE, 0);
+  gjk_slide_setup setup = usual();
   gjk_collider c;
   setup.step = setup.reach = 0;
-  slope.position = middle;
-  CHECK(gjk_quat_normalize(&turn, &slope.rotation) == GJK_OK);
-  start_scene();
-  add(0, &slope);
+  add_slope(GJK_Q16(11.04), GJK_Q16(1.1));
   add_at(1, GJK_Q16(11.2), GJK_Q16(4.5), 0);
   set_walker(&c, &robot, start);
   const gjk_slide_result r = walk(&c, to, &setup);
   CHECK(r.count == 2 && is_near(r.position.y, 4 * ONE - ONE / 2 - SKIN, 8));
 }
+
+#if SPACE
+// Down into the valley of two steep slopes, and on along it, beside both. Their normals are (-0.8276, 0.3793, 0.4138) and
+// (0.9150, 0.3072, -0.2614); the line of both leads along (0.226, -0.162, 0.601).
+static void check_valley(void) {
+  static const gjk_quat turn[2] = {{30, 0, 60, 100}, {-20, 0, -70, 100}};
+  static const gjk_vec3 middle[2] = {{GJK_Q16(0.8276), -GJK_Q16(0.3793), -GJK_Q16(0.4138)},
+                                     {-GJK_Q16(0.915), -GJK_Q16(0.3072), GJK_Q16(0.2614)}};
+  const gjk_vec3 start = {0, 2 * ONE, 0}, to = {0, -6 * ONE, 0};
+  gjk_slide_setup setup = usual();
+  gjk_collider c;
+  uint32_t count = 0;
+  setup.step = setup.reach = 0;
+  start_scene();
+  for (unsigned i = 0; i < 2; i++) {
+    gjk_pose pose = GJK_POSE_IDENTITY;
+    pose.position = middle[i];
+    CHECK(gjk_quat_normalize(&turn[i], &pose.rotation) == GJK_OK);
+    add(0, &pose);
+  }
+  set_walker(&c, &robot, start);
+  const gjk_slide_result r = walk(&c, to, &setup);
+  CHECK(r.count == 2 && r.position.z > ONE);
+  CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
+  CHECK(gjk_scene_query_within(&scene, &c, SKIN + 16, NULL, NULL, NULL, 0, &count) == GJK_OK && count == 2);
+}
+#endif
 
 static gjk_vec3 random_vector(random_state *random, int32_t size) {
   const gjk_vec3 v =
@@ -313,6 +368,19 @@ static void check_statuses(void) {
   REFUSED(up.y, GJK_Q30_ONE / 2, GJK_ERROR_ROTATION);
   REFUSED(up.x, INT32_MIN, GJK_ERROR_ROTATION);
 #undef REFUSED
+  CHECK(memcmp(&r, &untouched, sizeof r) == 0);
+  setup = usual();
+  setup.slope = GJK_Q30_ONE;
+  setup.skin = ONE;
+  setup.step = setup.reach = GJK_RADIUS_MAX;
+  CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_OK);
+  setup.slope = setup.step = setup.reach = 0;
+  setup.skin = GJK_SLIDE_SKIN_MIN;
+  const gjk_vec3 far = VECTOR((1 << 30) - ONE, ONE - (1 << 30), (1 << 30) - ONE);
+  set_walker(&c, &robot, far);
+  CHECK(gjk_slide(&scene, &c, &far, &setup, &r) == GJK_OK && r.count == 0 && r.position.y == far.y);
+  set_walker(&c, &robot, to);
+  memset(&r, 0x5A, sizeof r);
   setup = usual();
   to.x += 1 << 29;
   CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_ERROR_RANGE);
@@ -326,10 +394,14 @@ int main(void) {
   check_statuses();
   if (!CEILINGS_OPEN_CASTS) {
     check_floor(&robot, ONE / 3, ONE / 2);
-    check_beside(&robot, ONE / 3);
+    check_beside(&robot, ONE / 3, ONE / 4);
     check_floor(&man, GJK_Q16(0.3), GJK_Q16(0.8));
-    check_beside(&man, GJK_Q16(0.3));
+    check_beside(&man, GJK_Q16(0.3), GJK_Q16(0.3));
+    check_slope();
     check_eaves();
+#if SPACE
+    check_valley();
+#endif
   }
   for (unsigned i = 0; i < ROOMS; i++) {
     check_trial(i, NULL, NULL);
