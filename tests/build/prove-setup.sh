@@ -15,6 +15,8 @@ gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_neares
 ITERATION_LEVELS=gjk_simplex_add:50,any_feature:20,confirm_feature:300,refine_nearest:100,gjk_iteration_run:4,add_vertex:300,warm_start:1000,\
 gjk_iteration_start:100,gjk_frame_set:100,gjk_frame_set_far:100,main:150,longer_than:50,far_shift:50,run:100
 ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,longer_than:0
+SEARCH_LEVELS=main:20,seen_vertices_of:20,gjk_simplex_add:10,gjk_iteration_run:10,add_farthest_seen:4,nearest_of_seen:4,try_chain:4,\
+try_all_chains:4,mark_and_recall:4,gjk_search_on:4
 EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
 TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_measure:20
 BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
@@ -110,6 +112,7 @@ cases() {
     echo search-$count
     echo witness-$count
   done
+  echo search-CANONICAL
   for kind in SMOOTH POINT SEGMENT BOX TRIANGLE HULL CYLINDER CONE; do
     echo polygon-$kind
   done
@@ -271,7 +274,9 @@ set_up() {
       ;;
     search)
       models='simplex iteration' && room arith vector wide && room gjk search
-      set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
+      # The outcomes of its steps are too many to keep apart.
+      set -- "$1" -eva-slevel 0 -eva-slevel-function "$SEARCH_LEVELS" -eva-split-return-function seen_vertices_of:0 \
+        -eva-auto-loop-unroll 8
       ;;
     scene_*)
       joined=1
@@ -402,7 +407,10 @@ set_up() {
         hull_build) models='hull_grow hull_facets' ;;
       esac
       set -- "$1" -eva-slevel $level
-      [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
+      case $driver in
+        hull_check) set -- "$@" -eva-slevel-function main:0,ask:500 ;;
+        *) set -- "$@" -eva-interprocedural-splits ;;
+      esac
       ;;
     mass)
       # The hull's own work is analysed by hull_facets.
