@@ -2,9 +2,10 @@
 #include "cast2.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include "refuse.h"
 
 static const exact_point nowhere = {{0, 0, 0}};
 
@@ -114,14 +115,6 @@ void exact2_cast_free(exact2_cast *cast) {
   exact2_posed_free(&cast->at_a);
   exact2_posed_free(&cast->at_b);
   exact_difference_free(&cast->difference);
-}
-
-static bool refuse(char *why, size_t n, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(why, n, format, arguments);
-  va_end(arguments);
-  return false;
 }
 
 static bool is_near(const exact_cast_truth *truth, const gjk2_collider *c, const exact_point *way,

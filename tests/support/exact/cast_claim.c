@@ -1,9 +1,9 @@
 // Judges what gjk_cast says of polytopes.
 #include "cast_claim.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
+
+#include "refuse.h"
 
 static const exact_point nowhere = {{0, 0, 0}};
 
@@ -53,14 +53,6 @@ bool exact_cast_set(const gjk_collider *a, const gjk_collider *b, const gjk_cast
 
 void exact_cast_free(exact_cast *cast) {
   exact_difference_free(&cast->difference);
-}
-
-static bool refuse(char *why, size_t n, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(why, n, format, arguments);
-  va_end(arguments);
-  return false;
 }
 
 // Is the place less than so many LSB from where the collider is at the fraction, along each axis?

@@ -3,9 +3,9 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
+
+#include "refuse.h"
 
 __extension__ typedef __int128 wide;
 
@@ -13,14 +13,6 @@ __extension__ typedef __int128 wide;
 // Relative errors of far pairs: of distances, and of points.
 #define FAR_DISTANCE 28
 #define FAR_POINT 27
-
-static bool refuse(char *why, size_t n, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(why, n, format, arguments);
-  va_end(arguments);
-  return false;
-}
 
 // Points.
 
