@@ -292,7 +292,6 @@ set_up() {
       esac
       sources="$(printf '%s ' src/scene/*.c src/scene_update/*.c src/scene_query/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
       copies WHOLE
-      [ "$variant" = int32 ] || defines="$defines -include tests/prove/wide_any.h"
       levels=$SCENE_LEVELS
       case $driver in
         scene_probe) levels=$levels,start_cast:50,gjk_scene_cast_near:50,gjk_scene_cast_all:50,gjk_scene_query_within:50 ;;

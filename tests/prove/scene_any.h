@@ -66,7 +66,7 @@ static gjk_shape shape;
 static const gjk_shape *shapes[SHAPES];
 
 static uint32_t any_uint32(void) {
-  return Frama_C_unsigned_int_interval(0, UINT32_MAX);
+  return Frama_C_unsigned_long_interval(0, UINT32_MAX);
 }
 
 static bool named_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
@@ -94,7 +94,7 @@ static void any_shapes(void) {
 
 // An index below count.
 static uint32_t any_below(uint32_t count) {
-  return Frama_C_unsigned_int_interval(0, count - 1);
+  return Frama_C_unsigned_long_interval(0, count - 1);
 }
 
 // An index below count, or none: without a branch, whose outcomes Eva would keep apart.

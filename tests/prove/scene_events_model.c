@@ -22,7 +22,7 @@ void gjk_scene_write_reports(gjk_scene_view *v, gjk_report *reports, uint32_t ca
   const int32_t ends = any_between(0, 1);
   //@ split ends;
   //@ assert progress->reports == 0;
-  progress->reports = Frama_C_unsigned_int_interval(0, capacity);
+  progress->reports = Frama_C_unsigned_long_interval(0, capacity);
   progress->reports_left = ends != 0 ? 0 : any_below(PAIRS) + 1;
   h->next_report = any_below(PAIRS + 1);
   if (ends != 0) {

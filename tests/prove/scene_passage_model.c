@@ -14,6 +14,6 @@ void gjk_scene_passage_start(const gjk_scene_view *v, gjk_scene_passage *p, cons
 
 uint32_t gjk_scene_passage_next(const gjk_scene_view *v, gjk_scene_passage *p, uint32_t *entered) {
   //@ assert p->latest <= 0x40000000;
-  *entered = Frama_C_unsigned_int_interval(0, p->latest);
+  *entered = Frama_C_unsigned_long_interval(0, p->latest);
   return any_index(PARTS);
 }

@@ -58,7 +58,7 @@ static void pass(const gjk_scene_view *v) {
     }
     //@ assert part < PARTS;
     //@ assert entered <= 0x40000000;
-    passage.latest = Frama_C_unsigned_int_interval(0, (uint32_t)GJK_Q30_ONE);
+    passage.latest = Frama_C_unsigned_long_interval(0, (uint32_t)GJK_Q30_ONE);
   }
 }
 
