@@ -38,6 +38,7 @@ SCENE_LEVELS=main:100,any_scene:0,gjk_scene_init:100,gjk_scene_attach:100,gjk_sc
 gjk_scene_check_header:100,gjk_scene_check:100,check_pair:50,check_link:50,check_inner:50,check_entry:50,check_pose:30,\
 gjk_collider_init:30,query_near:50,within_margins:50
 
+ADD_LEVELS=any_scene:10,add:50,gjk_scene_add:50,gjk_scene_add_at:50,add_to_slot:50,check_setup:50
 MOTION_LEVELS=main:20,any_scene:10,gjk_scene_init:20,gjk_scene_update_slice:20,update_all:20
 
 cases() {
@@ -299,10 +300,12 @@ set_up() {
       esac
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$levels" -eva-interprocedural-splits -eva-ilevel 64 \
         -eva-auto-loop-unroll 8
-      # The outcomes of a sweep are too many to keep apart.
-      [ "$driver" != scene_motion ] || set -- "$1" -eva-slevel 2 -eva-slevel-function "$MOTION_LEVELS" \
-        -eva-auto-loop-unroll 4
-      [ "$driver" = scene_motion ] || set -- "$@" -eva-partition-history 1 -eva-interprocedural-history
+      # The outcomes of a sweep are too many to keep apart, those of an addition with what led to them.
+      case $driver-$instance in
+        scene_motion-*) set -- "$1" -eva-slevel 2 -eva-slevel-function "$MOTION_LEVELS" -eva-auto-loop-unroll 4 ;;
+        scene_ops-ADD) set -- "$@" -eva-slevel-function "$ADD_LEVELS" ;;
+        *) set -- "$@" -eva-partition-history 1 -eva-interprocedural-history ;;
+      esac
       ;;
     plane_*)
       sources=$(echo src/plane/*.c src/arith/gjk_root.c src/arith/gjk_wide.c)
@@ -449,6 +452,7 @@ set_up() {
         NEAR | DISTANCE | DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
         CAST_AHEAD) set -- "$@" -eva-slevel 10 ;;
         *CAST* | RAY) set -- "$@" -eva-slevel 20 -eva-slevel-function "$CAST_LEVELS" ;;
+        BOTH_IMPACT) defines="$defines -DANY_WALK=1" && set -- "$@" -eva-slevel 20 ;;
         BOTH*) set -- "$@" -eva-slevel 20 ;;
         *) set -- "$@" -eva-slevel 100 ;;
       esac
