@@ -300,10 +300,11 @@ set_up() {
       esac
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$levels" -eva-interprocedural-splits -eva-ilevel 64 \
         -eva-auto-loop-unroll 8
-      # The outcomes of a sweep are too many to keep apart, those of an addition with what led to them.
+      # The outcomes of a sweep are too many to keep apart, those of an addition and of events with what led to them.
       case $driver-$instance in
         scene_motion-*) set -- "$1" -eva-slevel 2 -eva-slevel-function "$MOTION_LEVELS" -eva-auto-loop-unroll 4 ;;
         scene_ops-ADD) set -- "$@" -eva-slevel-function "$ADD_LEVELS" ;;
+        scene_ops-FINISH) set -- "$@" -eva-slevel 2 -eva-slevel-function any_scene:10,report:30,gjk_scene_update_slice:30 ;;
         *) set -- "$@" -eva-partition-history 1 -eva-interprocedural-history ;;
       esac
       ;;
