@@ -47,8 +47,10 @@ typedef struct row {
 
 static const gjk_vec3 flat_a[3] = {{-100, -100, 0}, {100, -100, 0}, {0, 100, 0}};
 static const gjk_vec3 flat_b[3] = {{-10, -10, 0}, {10, -10, 0}, {0, 10, 0}};
+static const gjk_vec3 corners[3] = {{-2, -2, 0}, {-2, 0, 0}, {0, 1, 0}};
 static const gjk_shape box = GJK_BOX(100, 100, 100), point = GJK_POINT, small_box = GJK_BOX(10, 10, 10),
                        rod = GJK_SEGMENT(50), plate = GJK_TRIANGLE(flat_a), chip = GJK_TRIANGLE(flat_b),
+                       wedge = GJK_TRIANGLE(corners),
                        huge_box = GJK_BOX(GJK_Q16(2300.0), GJK_Q16(2300.0), GJK_Q16(2300.0));
 
 #define ONE GJK_Q30_ONE
@@ -78,12 +80,22 @@ static const row rows[] = {
     {"point onto a point", &point, &point, {30, 60, -90}, {-10, -20, 30}, HIT, 805306368, {0, 0, 0}, NONE},
     {"point past a point", &point, &point, {30, 60, -90}, {-10, -20, 31}, MISS, 0, NONE, NONE},
     {"rod onto a rod, end on end", &rod, &rod, {0, 0, 300}, {0, 0, -100}, HIT, ONE / 2, {0, 0, 100}, Z_UP},
+    {"rod onto a rod, from one end of the world to the other",
+     &rod,
+     &rod,
+     {0, 0, INT32_MAX},
+     {0, 0, INT32_MIN},
+     HIT,
+     536870886,
+     {0, 0, 100},
+     Z_UP},
     {"rod beside a rod, side on side", &rod, &rod, {40, 0, 30}, {-40, 0, 30}, HIT, ONE / 2, {0, 0, 30}, X_UP},
     {"ray onto a rod", &rod, &point, {40, 0, 50}, {-40, 0, 50}, HIT, ONE / 2, {0, 0, 50}, NONE},
     {"ray past a rod's end", &rod, &point, {40, 0, 51}, {-40, 0, 51}, MISS, 0, NONE, NONE},
     {"chip along a plate's plane", &plate, &chip, {0, 310, 0}, {0, -90, 0}, HIT, ONE / 2, {0, 110, 0}, NONE},
     {"chip an LSB above it", &plate, &chip, {0, 310, 1}, {0, -90, 1}, MISS, 0, NONE, NONE},
     {"chip onto a plate", &plate, &chip, {3, 4, 8}, {3, 4, -8}, HIT, ONE / 2, {3, 4, 0}, Z_UP},
+    {"ray away from a wedge's corner", &wedge, &point, {0, -2, 0}, {4, -2, 0}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
     {"box face on face", &box, &small_box, {310, 0, 0}, {-90, 0, 0}, HIT, ONE / 2, {110, 0, 0}, X_UP},
     {"box along a face, touching",
      &box,

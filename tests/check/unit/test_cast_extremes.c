@@ -1,5 +1,6 @@
 // Casts and times of impact at the ends of their ranges: the largest margins and spheres, ranges axis by axis, far shapes
 // whose gap is the margin, hulls of more vertices than can be swept, the least and the largest turns.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -121,6 +122,26 @@ static void test_far_starts(void) {
   CHECK(trials < 500 || (inside > trials / 10 && later > trials / 10 && missed > trials / 100));
 }
 
+// A ball that ends beside another, about the largest margin away, from the other end of the world: met where Pythagoras tells.
+static void test_beside(void) {
+  const gjk_shape ball = GJK_SPHERE(7);
+  const int32_t half = INT32_C(1) << 30, margin = INT32_MAX - 1000;
+  for (int axis = 0; axis < 3; axis++) {
+    for (int32_t less = 900; less <= 1100; less++) {  // than 2^31 LSB to the side
+      gjk_vec3 at = along(axis, INT32_MAX), from = along(axis, INT32_MIN), to = along(axis, INT32_MAX);
+      gjk_q16 *const side = axis == 0 ? &at.y : &at.x, *const of_b = axis == 0 ? &from.y : &from.x;
+      *side = -half;
+      *of_b = (axis == 0 ? &to.y : &to.x)[0] = half - less;
+      const gjk_collider a = placed(&ball, at), b = placed(&ball, from);
+      const double beside = 2147483648.0 - less, reach = margin + 14.0;
+      gjk_cast_result r;
+      CHECK(cast(&a, &b, to, margin, &r) == GJK_OK && ((less > 978 && less < 996) || r.hit == (beside <= reach)));
+      const double before = 4294967295.0 * (1 - (double)r.fraction / GJK_Q30_ONE), gap = hypot(beside, before) - reach;
+      CHECK_MSG(!r.hit || (gap >= -9 && gap <= margin * 0x1p-24 + 6), "%ld less: %f", (long)less, gap);
+    }
+  }
+}
+
 // A hull of 32,768 vertices has no swept shape in 16 bits: what it hits is not proven by one.
 static void test_many_vertices(void) {
   enum { MANY = 32768 };
@@ -195,6 +216,7 @@ int main(void) {
   test_largest();
   test_ranges();
   test_far_starts();
+  test_beside();
   test_many_vertices();
   test_longest_sweep();
   test_turns();

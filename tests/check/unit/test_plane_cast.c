@@ -594,6 +594,39 @@ static void test_curved(random_state *r) {
             misses);
 }
 
+// Circles on ways that graze an ellipse: what bounds the fraction may lie far ahead, beyond where the gap is least.
+static void test_curved_grazing(void) {
+  static const struct {
+    gjk2_vec size, from, to;
+    gjk_q16 radius;
+  } rows[] = {{{107325, 1887319}, {33637, -1792830}, {-1388418, -9382137}, 2},
+              {{1040, 15276}, {-8890, 188640}, {5702565, 481368}, 173589}};
+  static cast_case c;
+  for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+    const gjk2_shape ellipse = GJK2_ELLIPSE(rows[i].size.x, rows[i].size.y), circle = GJK2_CIRCLE(rows[i].radius);
+    const gjk2_pose origin = GJK2_POSE_IDENTITY;
+    c.pair[0].shape = ellipse;
+    c.pair[1].shape = circle;
+    c.pair[0].pose = c.pair[1].pose = origin;
+    c.pair[1].pose.position = rows[i].from;
+    c.to_b = rows[i].to;
+    for (int k = 0; k < 2; k++) {
+      plane_place(&c.pair[k], k == 0);
+    }
+    const gjk2_cast_path path = {NULL, &c.to_b, 0};
+    gjk2_collider a, b;
+    gjk2_cast_result out;
+    gjk2_distance_result gap;
+    if (gjk2_cast(&c.pair[0].collider, &c.pair[1].collider, &path, &out) != GJK_OK) {
+      CHECK(GJK_ITERATIONS_MAX < 128);
+      continue;
+    }
+    place_at(&c, out.fraction, &a, &b);
+    CHECK(out.hit && gjk2_distance(&a, &b, NULL, &gap) == GJK_OK);
+    CHECK_MSG(gap.intersecting || gap.distance <= 5, "gap %d", gap.distance);
+  }
+}
+
 // Ellipses of equal radii, which are circles: how near they come follows from their centres. Of small ones, and of ways
 // that end in touch, the search finds an overlap where the slack says that there is none yet.
 static void test_circles(random_state *r) {
@@ -771,6 +804,7 @@ int main(void) {
   test_wide(&r);
   test_halves_and_rays(&r);
   test_curved(&r);
+  test_curved_grazing();
   test_circles(&r);
   test_rays(&r);
   test_diagonal();

@@ -1,5 +1,6 @@
 // Products of a quotient and whole numbers, against the compiler's 128 bits.
 #include "../../../src/motion/gjk_quotient.h"
+#include "../../../src/plane_motion/gjk2_way.h"
 
 #include "check.h"
 #include "random.h"
@@ -43,6 +44,17 @@ static void check_quotient(wide n, wide d, int64_t x) {
   CHECK(gjk_quotient_nearest(&q, half) == product(2 * half, n, d) / 2 + (product(2 * half, n, d) % 2 > 0 ? 1 : 0));
 }
 
+// Fractions of ways in the plane: whole ones, any, and divisors of 33 bits, whose leading 32 are least exact.
+static void check_ratio(random_state *random) {
+  const uint32_t kind = random_below(random, 3);
+  const uint64_t any = random_u64(random), part = random_below(random, (1u << 30) + 1);
+  const uint64_t den = kind == 0 ? (any >> 31 | 1) << 30 : kind == 1 ? any >> 1 | 1 : (UINT64_C(1) << 32) + (any >> 33);
+  const uint64_t num = kind == 0 ? (den >> 30) * part : kind == 1 ? random_u64(random) % (den + 1) : den - part;
+  bool exact;
+  CHECK((wide)gjk2_ratio(num, den, &exact) == ((wide)num << 30) / den);
+  CHECK(exact == (((wide)num << 30) % den == 0));
+}
+
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   for (unsigned long i = 0; i < TRIALS; i++) {
@@ -61,6 +73,7 @@ int main(void) {
     }
     check_trial(i, NULL, NULL);
     check_quotient(n, d, x);
+    check_ratio(&random);
   }
   return check_done("quotient");
 }
