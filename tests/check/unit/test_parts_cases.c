@@ -230,6 +230,37 @@ static void test_cast_out_of_range(gjk_vec3 axis) {
   CHECK(gjk_parts_cast(&body, &b, &path, &part, &cast) == GJK_ERROR_RANGE && part == 77);
 }
 
+// A support that reaches farther with each call: not all casts of a part end, and then that of the body says so.
+static void growing_support(const void *user, const gjk_vec3 *d, gjk_vec3 *out) {
+  static int32_t calls;
+  (void)user;
+  const int32_t reach = 200 * (calls++ % 700);
+  out->x = d->x > 0 ? reach : -reach;
+  out->y = d->y > 0 ? reach : -reach;
+  out->z = d->z > 0 ? reach : -reach;
+}
+
+static void test_cast_limited(void) {
+  static const gjk_shape growing = GJK_CUSTOM(growing_support, NULL, 250000);
+  const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+  gjk_compound_node node;
+  gjk_compound compound;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  body.pose.position.z = -2000000000;
+  const gjk_collider b = at_height(&growing, 2000000000);
+  gjk_cast_result out;
+  uint32_t part;
+  unsigned limited = 0;
+  for (gjk_q16 k = 0; k < 80; k++) {
+    const gjk_vec3 to = {0, 0, k / 8 * 100000000};
+    const gjk_cast_path path = {NULL, &to, INT32_MAX - k % 8};
+    const gjk_status status = gjk_parts_cast(&body, &b, &path, &part, &out);
+    limited += status == GJK_ERROR_ITERATION_LIMIT && part == 0 && !out.hit;
+  }
+  CHECK(limited > 0);
+}
+
 // A compound that is not as it was built: its reach is too small. Where a cast takes a part's centre beyond int32 it ends
 // with RANGE. Nothing is read of what it has not answered, which memory checkers see, and nothing is written.
 static void test_cast_beyond_reach(void) {
@@ -289,6 +320,7 @@ int main(void) {
   test_tolerance_far_away(GJK_Q16(4100));
   test_ahead();
   test_ahead_of_baked();
+  test_cast_limited();
   test_cast_beyond_reach();
   for (unsigned i = 0; i < 3; i++) {
     const gjk_vec3 axis = {i == 0, i == 1, i == 2};
