@@ -720,6 +720,26 @@ static void test_diagonal(void) {
   }
 }
 
+// Circles on ways of up to 5 2^29 LSB that pass each other: 5 beside LSB apart, since the way leads along (3, 4).
+static void test_long_pass(random_state *r) {
+  const gjk2_pose origin = GJK2_POSE_IDENTITY;
+  for (int i = 0; i < 300; i++) {
+    const int32_t beside = random_range(r, 10, 1 << (4 + i % 22)), length = random_range(r, 1 << 28, 1 << 29);
+    const gjk2_vec from = {-4 * beside - 3 * (length / 2), 3 * beside - 4 * (length / 2)};
+    const gjk2_vec to = {from.x + 3 * length, from.y + 4 * length};
+    for (int32_t less = -1; less <= 1; less++) {
+      const gjk2_shape a = GJK2_CIRCLE(beside), b = GJK2_CIRCLE(4 * beside - less);
+      gjk2_collider c[2] = {{0}, {0}};
+      gjk2_cast_result out;
+      const gjk2_cast_path path = {NULL, &to, 0};
+      CHECK(gjk2_collider_init(&c[0], &a, NULL, 0) == GJK_OK && gjk2_collider_pose(&c[0], &origin) == GJK_OK);
+      CHECK(gjk2_collider_init(&c[1], &b, NULL, 0) == GJK_OK && gjk2_collider_pose(&c[1], &origin) == GJK_OK);
+      CHECK(gjk2_collider_move(&c[1], &from) == GJK_OK && gjk2_cast(&c[0], &c[1], &path, &out) == GJK_OK);
+      CHECK_MSG(out.hit == (less <= 0), "%d beside, %d less", (int)beside, (int)less);
+    }
+  }
+}
+
 // A support that reaches farther with each call: no search for a distance ends.
 static void growing_support(const void *user, const gjk2_vec *d, gjk2_vec *out) {
   static int32_t calls;
@@ -808,6 +828,7 @@ int main(void) {
   test_circles(&r);
   test_rays(&r);
   test_diagonal();
+  test_long_pass(&r);
   test_open_margins();
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
