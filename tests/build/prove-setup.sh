@@ -45,6 +45,7 @@ cases() {
   echo primitives-x
   echo pose-x
   echo math-x
+  echo joint-x
   for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY TABLE TABLE_LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
     echo shape-$kind
   done
@@ -253,6 +254,7 @@ set_up() {
   case $driver in
     primitives) contracts= && room arith vector && set -- "$1" -eva-slevel 200 ;;
     pose) room arith root rotation && room place angle pose && set -- "$1" -eva-slevel 200 ;;
+    joint) room arith root rotation && room place joint pose && set -- "$1" -eva-slevel 200 ;;
     math) room arith number root rotation && room place aim math pose && set -- "$1" -eva-slevel 5 ;;
     polygon)
       sources=$(echo src/contact/gjk_*polygon*.c)
@@ -342,8 +344,8 @@ set_up() {
             src/ground/gjk2_ground_walk.c src/ground/gjk2_ground_$kind.c"
           ;;
         plane_sweep*)
-          sources="src/plane/gjk2_measure.c src/plane/gjk2_pose.c src/plane/gjk2_rotation.c src/plane_motion/gjk2_sweep.c \
-            src/plane_motion/gjk2_way.c" && room arith root wide
+          sources='src/plane_motion/gjk2_integrate.c src/plane_motion/gjk2_sweep.c src/plane_motion/gjk2_way.c'
+          plane measure pose rotation && room arith root wide
           ;;
         plane_impact*)
           level=8 models='plane_search plane_edges plane_sweep' sources=$(echo src/plane_motion/gjk2_impact*.c)
