@@ -5,8 +5,8 @@
 //   2. A hit at the start is a decision, which gjk2_check_decision proves.
 //   3. A hit later, without radius: the facet bounds A - B, and the way passes through it at the fraction.
 //   4. A hit later, with a radius: no miss by the line; not before the fraction, by the facet's direction; and at the fraction
-//      the gap is at most 2 LSB. That it comes within the radius at all: the gap falls at the start, and at the end it is
-//      within the radius or grows, so that its least lies on the way.
+//      the gap is at most 2 LSB. That it comes within the radius at all: the gap falls at the start. At the end it is within
+//      the radius or grows, so that its least lies on the way; or the way has left the bounding circles.
 //   5. Points, normal and resting places are what follows from the facet and the fraction.
 // Vertices are visited one by one, whatever supports say.
 #include "../arith/gjk_root.h"
@@ -168,12 +168,15 @@ static bool plane_proves_slope(const gjk2_way *way, const gjk2_collider *at_a, c
 }
 
 // Step 4: does the way come within the radius, once the line does?
-static bool plane_comes_near(const gjk2_way *way, bool early, gjk_q16 margin) {
+static bool plane_comes_near(const gjk2_way *way, bool early, bool late, gjk_q16 margin) {
   gjk2_collider moved, at_b;
   gjk2_decision decision;
   int slope;
   if (early && (!plane_proves_slope(way, way->a, way->b, false, &slope) || slope >= 0)) {
     return false;
+  }
+  if (!late) {  // the way meets the bounding circles and ends beyond them, and all that its line meets lies within
+    return true;
   }
   const gjk2_collider *at_a = gjk2_cast_places(way, GJK_Q30_ONE, &moved, &at_b);
   if (gjk2_within(at_a, &at_b, margin, NULL, &decision) != GJK_OK) {
@@ -186,14 +189,19 @@ static bool plane_comes_near(const gjk2_way *way, bool early, gjk_q16 margin) {
 }
 
 // Step 4: is there no contact before the fraction, by n, and at most 2 LSB of gap at it? A place is rounded by up to 0.71
-// LSB to be measured, and its distance by 1/2.
+// LSB to be measured, and its distance by 1/2. If a step of fraction is longer than half an LSB, the direction may prove one
+// less: gjk2_advance.c keeps the later fraction of two that are proven.
 static bool plane_stops_at(const gjk2_way *way, gjk2_vec n, int64_t radius, gjk_q16 margin, gjk_q30 fraction) {
   gjk2_collider moved, at_b;
   gjk2_distance_result gap;
   int64_t most, ahead;
   gjk_q30 bound;
-  if (!plane_along(way, n, &most, &ahead) || fraction < 0 ||
-      gjk2_cast_bound(way, n, most, radius, 0, &bound, NULL) != GJK2_BOUND_AT || fraction > bound) {
+  if (fraction < 0 || fraction > GJK_Q30_ONE || !plane_along(way, n, &most, &ahead) ||
+      gjk2_cast_bound(way, n, most, radius, 0, &bound, NULL) != GJK2_BOUND_AT) {
+    return false;
+  }
+  const gjk_q30 step = gjk2_norm1(way->d) > UINT32_C(1) << 29 ? 1 : 0;  // d is the way: it is not wide
+  if (fraction - step > bound) {
     return false;
   }
   const gjk2_collider *at_a = gjk2_cast_places(way, fraction, &moved, &at_b);
@@ -204,14 +212,14 @@ static bool plane_stops_at(const gjk2_way *way, gjk2_vec n, int64_t radius, gjk_
 }
 
 // Step 4.
-static bool plane_rounds(const gjk2_way *way, bool early, const gjk2_span *p, const gjk2_span *q, int64_t radius,
-                         gjk_q16 margin, const gjk2_cast_result *r) {
+static bool plane_rounds(const gjk2_way *way, bool early, bool late, const gjk2_span *p, const gjk2_span *q,
+                         int64_t radius, gjk_q16 margin, const gjk2_cast_result *r) {
   const gjk2_vec n = {r->certificate.direction.x, r->certificate.direction.y};
   gjk2_contact_place place = {p, q, 0, n};
   const gjk2_portion portion = {0, 1, r->fraction, true};
   int64_t side;
   if (plane_leaves_beside(way, true, radius, &side) || plane_leaves_beside(way, false, radius, &side) ||
-      !plane_stops_at(way, place.n, radius, margin, r->fraction) || !plane_comes_near(way, early, margin)) {
+      !plane_stops_at(way, place.n, radius, margin, r->fraction) || !plane_comes_near(way, early, late, margin)) {
     return false;
   }
   if (p != q) {
@@ -221,7 +229,7 @@ static bool plane_rounds(const gjk2_way *way, bool early, const gjk2_span *p, co
   return plane_follows(way, &place, &portion, r);
 }
 
-static bool plane_check_hit(const gjk2_way *way, bool early, int64_t radius, gjk_q16 margin,
+static bool plane_check_hit(const gjk2_way *way, bool early, bool late, int64_t radius, gjk_q16 margin,
                             const gjk2_cast_result *r) {
   const gjk2_cast_certificate *c = &r->certificate;
   gjk2_span p, q;
@@ -230,7 +238,7 @@ static bool plane_check_hit(const gjk2_way *way, bool early, int64_t radius, gjk
     return false;
   }
   const gjk2_span *other = c->count == 2 ? &q : &p;
-  return radius > 0 ? plane_rounds(way, early, &p, other, radius, margin, r) : plane_enters(way, &p, other, r);
+  return radius > 0 ? plane_rounds(way, early, late, &p, other, radius, margin, r) : plane_enters(way, &p, other, r);
 }
 
 static bool plane_check_miss(const gjk2_way *way, int64_t radius, const gjk2_cast_certificate *c) {
@@ -259,7 +267,7 @@ gjk_status gjk2_check_cast(const gjk2_collider *a, const gjk2_collider *b, const
   if (result->hit && result->inside && result->certificate.proof == GJK2_CAST_PROOF_INSIDE) {
     return plane_check_inside(&way, path->margin, result);
   }
-  const bool proven = result->hit ? plane_check_hit(&way, early, radius, path->margin, result)
+  const bool proven = result->hit ? plane_check_hit(&way, early, late, radius, path->margin, result)
                                   : plane_check_miss(&way, radius, &result->certificate);
   return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
