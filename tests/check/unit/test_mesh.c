@@ -253,6 +253,8 @@ static void check_refusals(void) {
   CHECK(gjk_mesh_build(v, 5, t, 2, false, nodes, 0, &mesh) == GJK_ERROR_CAPACITY);
   CHECK(gjk_mesh_build(v, 4, t, 2, false, nodes, 1, &mesh) == GJK_ERROR_RANGE);
   CHECK(gjk_mesh_build(v, 5, t, GJK_MESH_TRIANGLES_MAX + 1, false, nodes, 1, &mesh) == GJK_ERROR_RANGE);
+  CHECK(gjk_mesh_build(v, 5, t, GJK_MESH_TRIANGLES_MAX, false, nodes, 1, &mesh) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_mesh_build(v, GJK_MESH_VERTICES_MAX, t, 2, false, nodes, 0, &mesh) == GJK_ERROR_CAPACITY);
   v[4].x = -GJK_MESH_COORDINATE_MAX - 1;
   CHECK(gjk_mesh_build(v, 5, t, 2, false, nodes, 1, &mesh) == GJK_ERROR_RANGE);
   v[4].x = -GJK_MESH_COORDINATE_MAX;
