@@ -744,6 +744,23 @@ static void test_long_pass(random_state *r) {
   }
 }
 
+// A hit of a smaller circle, with the point of A moved out, is no hit of a larger one, which is met before.
+static void test_late_claim(void) {
+  static const gjk2_shape larger = GJK2_CIRCLE(1000), smaller = GJK2_CIRCLE(996), other = GJK2_CIRCLE(50);
+  const gjk2_vec from = {5000, 0}, to = {-5000, 0};
+  gjk2_collider a = {0}, less = {0}, b = {0};
+  gjk2_pose pose = GJK2_POSE_IDENTITY;
+  const gjk2_cast_path path = {NULL, &to, 0};
+  gjk2_cast_result claim;
+  CHECK(gjk2_collider_init(&a, &larger, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
+  CHECK(gjk2_collider_init(&less, &smaller, NULL, 0) == GJK_OK && gjk2_collider_pose(&less, &pose) == GJK_OK);
+  pose.position = from;
+  CHECK(gjk2_collider_init(&b, &other, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
+  CHECK(gjk2_cast(&less, &b, &path, &claim) == GJK_OK && gjk2_check_cast(&less, &b, &path, &claim) == GJK_OK);
+  claim.point_a.x += 4;
+  CHECK(gjk2_check_cast(&a, &b, &path, &claim) == GJK_ERROR_UNPROVEN);
+}
+
 // A support that reaches farther with each call: no search for a distance ends.
 static void growing_support(const void *user, const gjk2_vec *d, gjk2_vec *out) {
   static int32_t calls;
@@ -833,6 +850,7 @@ int main(void) {
   test_rays(&r);
   test_diagonal();
   test_long_pass(&r);
+  test_late_claim();
   test_open_margins();
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
