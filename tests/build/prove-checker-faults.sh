@@ -56,6 +56,8 @@ check=src/query/gjk_check.c
 fault long-direction $check is_separating '>= UINT64_C(1) << 62) {' '>= UINT64_C(1) << 63) {' "$open"
 fault radius-of-0 $check is_apart 'is_separating(it, &certificate->direction, radius)' 'is_separating(it, &certificate->direction, 0)' "$open"
 fault smaller-spheres src/gjk/gjk_iteration.c gjk_iteration_start 'gjk_goal_separates(goal), radius)' 'gjk_goal_separates(goal), radius / 2)' "$open"
+fault near-without-foot $check proves_near 'gjk_simplex_set(&it->simplex, certificate->count) && gjk_iteration_near(it)' 'gjk_iteration_near(it)' "$open"
+fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

@@ -6,6 +6,7 @@
 
 /*@ logic integer dot3(integer x, integer y, integer z, integer u, integer v, integer w) = x * u + y * v + z * w;
     logic integer norm3(integer x, integer y, integer z) = x * x + y * y + z * z;
+    logic integer size3(integer x, integer y, integer z) = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
     predicate in_ball(integer x, integer y, integer z, integer r) = norm3(x, y, z) <= r * r;
     // Spheres of radii that add up to r, whose centres are (x, y, z) apart, have no point in common.
     predicate spheres_apart(integer x, integer y, integer z, integer r) = norm3(x, y, z) > r * r;
@@ -64,5 +65,47 @@
       -0x20000003 <= y <= 0x20000003 && -0x20000003 <= z <= 0x20000003;
     lemma close_square: \forall integer t; -0x20000003 <= t <= 0x20000003 ==> t * t <= 0x400000C00000009;
     lemma close3: \forall integer x, y, z; close3(x, y, z) ==> in_ball(x, y, z, 0x40000000); */
+
+// Features of A - B by their vertices p = (x, y, z), q = (u, v, w), and so on.
+/*@ // p . (p - q), and twice the triangle's area as a vector.
+    logic integer toward3(integer x, integer y, integer z, integer u, integer v, integer w) =
+      norm3(x, y, z) - dot3(x, y, z, u, v, w);
+    logic integer area3(integer x, integer y, integer u, integer v, integer s, integer t) = cross(u - x, v - y, s - x, t - y);
+    // (p x q) . r
+    logic integer volume3(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q) =
+      dot3(cross(y, z, v, w), cross(z, x, w, u), cross(x, y, u, v), s, t, q);
+    // The third vertex's coordinate of the origin's foot in the triangle, times the square of twice the area.
+    logic integer share_of(integer a, integer b, integer c, integer e) = a * b + c * (e - a);
+    logic integer share3(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q) =
+      share_of(toward3(u, v, w, x, y, z), toward3(x, y, z, s, t, q), toward3(x, y, z, u, v, w), toward3(u, v, w, s, t, q));
+    // The origin's foot lies within the segment; within the triangle.
+    predicate foot3(integer x, integer y, integer z, integer u, integer v, integer w) =
+      toward3(x, y, z, u, v, w) > 0 && toward3(u, v, w, x, y, z) > 0;
+    predicate inside3(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q) =
+      share3(x, y, z, u, v, w, s, t, q) > 0 && share3(u, v, w, s, t, q, x, y, z) > 0 && share3(s, t, q, x, y, z, u, v, w) > 0;
+    // The segment, triangle or tetrahedron holds the origin.
+    predicate meets_one(integer x, integer u, integer s, integer t) = x * t + u * s == 0;
+    predicate on_edge3(integer x, integer y, integer z, integer u, integer v, integer w) = foot3(x, y, z, u, v, w) &&
+      meets_one(x, u, toward3(x, y, z, u, v, w), toward3(u, v, w, x, y, z)) &&
+      meets_one(y, v, toward3(x, y, z, u, v, w), toward3(u, v, w, x, y, z)) &&
+      meets_one(z, w, toward3(x, y, z, u, v, w), toward3(u, v, w, x, y, z));
+    predicate on_face3(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q) =
+      inside3(x, y, z, u, v, w, s, t, q) && volume3(x, y, z, u, v, w, s, t, q) == 0;
+    predicate one_side(integer a, integer b, integer c, integer d) =
+      0 <= a && 0 <= b && 0 <= c && 0 <= d && 0 < a + b + c + d;
+    predicate in_tetrahedron(integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q, integer k, integer l, integer m) =
+      one_side(volume3(u, v, w, s, t, q, k, l, m), -volume3(x, y, z, s, t, q, k, l, m),
+        volume3(x, y, z, u, v, w, k, l, m), -volume3(x, y, z, u, v, w, s, t, q)) ||
+      one_side(-volume3(u, v, w, s, t, q, k, l, m), volume3(x, y, z, s, t, q, k, l, m),
+        -volume3(x, y, z, u, v, w, k, l, m), volume3(x, y, z, u, v, w, s, t, q));
+    // The segment's or triangle's point nearest to the origin lies within it, and is within r.
+    predicate near_edge3(integer x, integer y, integer z, integer u, integer v, integer w, integer r) =
+      foot3(x, y, z, u, v, w) && norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w) <=
+      r * r * (toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z));
+    predicate near_face3(integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q, integer r) = inside3(x, y, z, u, v, w, s, t, q) &&
+      volume3(x, y, z, u, v, w, s, t, q) * volume3(x, y, z, u, v, w, s, t, q) <=
+      r * r * norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t)); */
 
 #endif

@@ -2,6 +2,33 @@
    every point of the two shapes. The definitions over Z are those of geometry.h, solid.h and space.h, name by name. *)
 Require Import Reals Lra Psatz ZArith.
 
+(* The sum of a triangle's shares is the square of twice its area; they weigh its vertices to where the normal meets it. *)
+Section Triangle.
+
+Open Scope R_scope.
+
+Variables (x y z u v w s t q : R).
+Let dot (x y z u v w : R) := x * u + y * v + z * w.
+Let toward (x y z u v w : R) := x * x + y * y + z * z - dot x y z u v w.
+Definition share (x y z u v w s t q : R) := toward u v w x y z * toward x y z s t q +
+  toward x y z u v w * (toward u v w s t q - toward u v w x y z).
+Definition area (x y u v s t : R) := (u - x) * (t - y) - (v - y) * (s - x).
+Definition volume := (y * w - z * v) * s + (z * u - x * w) * t + (x * v - y * u) * q.
+Let p1 := share u v w s t q x y z.
+Let p2 := share s t q x y z u v w.
+Let p3 := share x y z u v w s t q.
+Let nx := area y z v w t q.
+Let ny := area z x w u q s.
+Let nz := area x y u v s t.
+
+Lemma shares_sum : p1 + p2 + p3 = nx * nx + ny * ny + nz * nz.
+Proof. unfold p1, p2, p3, nx, ny, nz, share, area, toward, dot. ring. Qed.
+
+Lemma shares_mean : p1 * x + p2 * u + p3 * s = volume * nx /\ p1 * y + p2 * v + p3 * t = volume * ny /\
+  p1 * z + p2 * w + p3 * q = volume * nz.
+Proof. unfold p1, p2, p3, nx, ny, nz, volume, share, area, toward, dot. repeat split; ring. Qed.
+End Triangle.
+
 Section Vertices.
 
 (* Vertex i of A is (ax i, ay i, az i) relative to A's centre, one of na; those of B likewise. (x, y, z) is A's centre less
@@ -17,6 +44,55 @@ Definition beyond3 (dx dy dz x y z r : Z) := dot3 dx dy dz x y z < 0 /\ farther 
 Definition separated_by3 (r : Z) := exists dx dy dz, forall i j, (i < na)%nat -> (j < nb)%nat ->
   beyond3 dx dy dz (x + ax i - bx j) (y + ay i - bl j) (z + az i - bz j) r.
 Definition spheres_apart (x y z r : Z) := norm3 x y z > r * r.
+Definition cross (x y u v : Z) := x * v - y * u.
+Definition in_ball (x y z r : Z) := norm3 x y z <= r * r.
+Definition toward3 (x y z u v w : Z) := norm3 x y z - dot3 x y z u v w.
+Definition area3 (x y u v s t : Z) := cross (u - x) (v - y) (s - x) (t - y).
+Definition volume3 (x y z u v w s t q : Z) := dot3 (cross y z v w) (cross z x w u) (cross x y u v) s t q.
+Definition share_of (a b c e : Z) := a * b + c * (e - a).
+Definition share3 (x y z u v w s t q : Z) :=
+  share_of (toward3 u v w x y z) (toward3 x y z s t q) (toward3 x y z u v w) (toward3 u v w s t q).
+Definition foot3 (x y z u v w : Z) := toward3 x y z u v w > 0 /\ toward3 u v w x y z > 0.
+Definition inside3 (x y z u v w s t q : Z) :=
+  share3 x y z u v w s t q > 0 /\ share3 u v w s t q x y z > 0 /\ share3 s t q x y z u v w > 0.
+Definition meets_one (x u s t : Z) := x * t + u * s = 0.
+Definition on_edge3 (x y z u v w : Z) := foot3 x y z u v w /\
+  meets_one x u (toward3 x y z u v w) (toward3 u v w x y z) /\ meets_one y v (toward3 x y z u v w) (toward3 u v w x y z) /\
+  meets_one z w (toward3 x y z u v w) (toward3 u v w x y z).
+Definition on_face3 (x y z u v w s t q : Z) := inside3 x y z u v w s t q /\ volume3 x y z u v w s t q = 0.
+Definition one_side (a b c d : Z) := 0 <= a /\ 0 <= b /\ 0 <= c /\ 0 <= d /\ 0 < a + b + c + d.
+Definition in_tetrahedron (x y z u v w s t q k l m : Z) :=
+  one_side (volume3 u v w s t q k l m) (- volume3 x y z s t q k l m)
+    (volume3 x y z u v w k l m) (- volume3 x y z u v w s t q) \/
+  one_side (- volume3 u v w s t q k l m) (volume3 x y z s t q k l m)
+    (- volume3 x y z u v w k l m) (volume3 x y z u v w s t q).
+Definition near_edge3 (x y z u v w r : Z) := foot3 x y z u v w /\
+  norm3 x y z * norm3 u v w - dot3 x y z u v w * dot3 x y z u v w <= r * r * (toward3 x y z u v w + toward3 u v w x y z).
+Definition near_face3 (x y z u v w s t q r : Z) := inside3 x y z u v w s t q /\
+  volume3 x y z u v w s t q * volume3 x y z u v w s t q <=
+  r * r * norm3 (area3 y z v w t q) (area3 z x w u q s) (area3 x y u v s t).
+
+(* The same in the frame, of f units an LSB, where A's centre less B's is (x, y, z). *)
+Definition seat (x f p q : Z) := x + f * (p - q).
+Definition named3 (x y z f : Z) (i j : nat) (wx wy wz : Z) := (i < na)%nat /\ (j < nb)%nat /\
+  wx = seat x f (ax i) (bx j) /\ wy = seat y f (ay i) (bl j) /\ wz = seat z f (az i) (bz j).
+Definition point_within (x y z f r : Z) := exists i j tx ty tz, named3 x y z f i j tx ty tz /\ in_ball tx ty tz r.
+Definition edge_within (x y z f r : Z) := exists i j k l tx ty tz ux uy uz,
+  named3 x y z f i j tx ty tz /\ named3 x y z f k l ux uy uz /\ near_edge3 tx ty tz ux uy uz r.
+Definition face_within (x y z f r : Z) := exists i j k l m n tx ty tz ux uy uz vx vy vz, named3 x y z f i j tx ty tz /\
+  named3 x y z f k l ux uy uz /\ named3 x y z f m n vx vy vz /\ near_face3 tx ty tz ux uy uz vx vy vz r.
+Definition edge_holds (x y z f : Z) := exists i j k l tx ty tz ux uy uz,
+  named3 x y z f i j tx ty tz /\ named3 x y z f k l ux uy uz /\ on_edge3 tx ty tz ux uy uz.
+Definition face_holds (x y z f : Z) := exists i j k l m n tx ty tz ux uy uz vx vy vz, named3 x y z f i j tx ty tz /\
+  named3 x y z f k l ux uy uz /\ named3 x y z f m n vx vy vz /\ on_face3 tx ty tz ux uy uz vx vy vz.
+Definition cell_holds (x y z f : Z) := exists i j k l m n o p tx ty tz ux uy uz vx vy vz wx wy wz,
+  named3 x y z f i j tx ty tz /\ named3 x y z f k l ux uy uz /\ named3 x y z f m n vx vy vz /\
+  named3 x y z f o p wx wy wz /\ in_tetrahedron tx ty tz ux uy uz vx vy vz wx wy wz.
+Definition enclosing3 (x y z f : Z) := point_within x y z f 0 \/ edge_holds x y z f \/ face_holds x y z f \/ cell_holds x y z f.
+Definition near3 (x y z f r : Z) := point_within x y z f r \/ edge_within x y z f r \/ face_within x y z f r.
+Definition radius_framed (radius r f : Z) := 0 <= radius <= f * r.
+Definition reached3 (x y z f r : Z) := enclosing3 x y z f \/ near3 x y z f r.
+Definition together3 (r : Z) := exists f s, 1 <= f /\ radius_framed s r f /\ reached3 (f * x) (f * y) (f * z) f s.
 
 Open Scope R_scope.
 
@@ -175,7 +251,258 @@ Proof.
   - fold m. pose proof (Rmult_lt_compat_l l _ _ L M). lra.
 Qed.
 
+(* A point of f (A - B), without the radii: with weights, since a feature's point is a mean of up to four vertices. *)
+Definition in_difference (f u v w : R) := exists p p' p'' o o' o'', in_hull na ax ay az p p' p'' /\ in_hull nb bx bl bz o o' o'' /\
+  u = f * (IZR x + p - o) /\ v = f * (IZR y + p' - o') /\ w = f * (IZR z + p'' - o'').
+
+Lemma sum_single n k f : (k < n)%nat -> sum n (fun i => (if Nat.eqb i k then 1 else 0) * f i) = f k.
+Proof.
+  assert (Z : forall m, (m <= k)%nat -> sum m (fun i => (if Nat.eqb i k then 1 else 0) * f i) = 0).
+  { induction m; simpl; intros; [lra |]. rewrite IHm by lia.
+    replace (Nat.eqb m k) with false by (symmetry; apply Nat.eqb_neq; lia). lra. }
+  induction n; simpl; intros L; [lia |]. destruct (Nat.eq_dec n k) as [-> | N].
+  - rewrite Z, Nat.eqb_refl by lia. lra.
+  - rewrite IHn by lia. replace (Nat.eqb n k) with false by (symmetry; apply Nat.eqb_neq; lia). lra.
+Qed.
+
+Lemma hull_vertex n vx vy vz k : (k < n)%nat -> in_hull n vx vy vz (IZR (vx k)) (IZR (vy k)) (IZR (vz k)).
+Proof.
+  intros L. exists (fun i => if Nat.eqb i k then 1 else 0). repeat split.
+  - intros. destruct (Nat.eqb i k); lra.
+  - rewrite (sum_ext n _ (fun i => (if Nat.eqb i k then 1 else 0) * 1)) by (intros; lra).
+    apply (sum_single n k (fun _ => 1) L).
+  - symmetry. apply (sum_single n k (fun i => IZR (vx i)) L).
+  - symmetry. apply (sum_single n k (fun i => IZR (vy i)) L).
+  - symmetry. apply (sum_single n k (fun i => IZR (vz i)) L).
+Qed.
+
+Lemma hull_between n vx vy vz a b p p' p'' q q' q'' : 0 <= a -> 0 <= b -> a + b = 1 -> in_hull n vx vy vz p p' p'' ->
+  in_hull n vx vy vz q q' q'' -> in_hull n vx vy vz (a * p + b * q) (a * p' + b * q') (a * p'' + b * q'').
+Proof.
+  intros A B One (k & K & O1 & -> & -> & ->) (m & M & O2 & -> & -> & ->).
+  exists (fun i => a * k i + b * m i + 0 * k i). repeat split.
+  - intros i I. specialize (K i I). specialize (M i I). nra.
+  - rewrite sum_combine, O1, O2. lra.
+  - rewrite <- (Rplus_0_r (a * _ + b * _)), <- (Rmult_0_l (sum n (fun i => k i * IZR (vx i)))), <- sum_combine.
+    apply sum_ext. intros. ring.
+  - rewrite <- (Rplus_0_r (a * _ + b * _)), <- (Rmult_0_l (sum n (fun i => k i * IZR (vy i)))), <- sum_combine.
+    apply sum_ext. intros. ring.
+  - rewrite <- (Rplus_0_r (a * _ + b * _)), <- (Rmult_0_l (sum n (fun i => k i * IZR (vz i)))), <- sum_combine.
+    apply sum_ext. intros. ring.
+Qed.
+
+Lemma difference_between f a b u v w s t q : 0 <= a -> 0 <= b -> a + b = 1 -> in_difference f u v w -> in_difference f s t q ->
+  in_difference f (a * u + b * s) (a * v + b * t) (a * w + b * q).
+Proof.
+  intros A B One (p1 & p2 & p3 & o1 & o2 & o3 & P & O & -> & -> & ->) (k1 & k2 & k3 & m1 & m2 & m3 & K & M & -> & -> & ->).
+  exists (a * p1 + b * k1), (a * p2 + b * k2), (a * p3 + b * k3), (a * o1 + b * m1), (a * o2 + b * m2), (a * o3 + b * m3).
+  split; [apply hull_between; assumption |]. split; [apply hull_between; assumption |].
+  replace b with (1 - a) by lra. repeat split; ring.
+Qed.
+
+(* A mean by weights that do not add up to 1. *)
+Lemma difference_mean f a b u v w s t q : 0 <= a -> 0 <= b -> 0 < a + b -> in_difference f u v w -> in_difference f s t q ->
+  in_difference f ((a * u + b * s) / (a + b)) ((a * v + b * t) / (a + b)) ((a * w + b * q) / (a + b)).
+Proof.
+  intros A B C U S. set (k := / (a + b)). assert (K : 0 < k) by (apply Rinv_0_lt_compat; exact C).
+  assert (One : k * a + k * b = 1) by (rewrite <- Rmult_plus_distr_l; apply Rinv_l; lra).
+  replace ((a * u + b * s) / (a + b)) with (k * a * u + k * b * s) by (unfold k; field; lra).
+  replace ((a * v + b * t) / (a + b)) with (k * a * v + k * b * t) by (unfold k; field; lra).
+  replace ((a * w + b * q) / (a + b)) with (k * a * w + k * b * q) by (unfold k; field; lra).
+  apply difference_between; try assumption; nra.
+Qed.
+
+Lemma difference_mean3 f a b c u v w s t q k l m : 0 <= a -> 0 <= b -> 0 <= c -> 0 < a + b + c ->
+  in_difference f u v w -> in_difference f s t q -> in_difference f k l m ->
+  in_difference f ((a * u + b * s + c * k) / (a + b + c)) ((a * v + b * t + c * l) / (a + b + c))
+    ((a * w + b * q + c * m) / (a + b + c)).
+Proof.
+  intros A B C One U S K. destruct (Req_dec (a + b) 0) as [Z | N].
+  - assert (a = 0) by lra. assert (b = 0) by lra. subst a b.
+    replace ((0 * u + 0 * s + c * k) / (0 + 0 + c)) with k by (field; lra).
+    replace ((0 * v + 0 * t + c * l) / (0 + 0 + c)) with l by (field; lra).
+    replace ((0 * w + 0 * q + c * m) / (0 + 0 + c)) with m by (field; lra). exact K.
+  - assert (P : 0 < a + b) by lra. pose proof (difference_mean f a b u v w s t q A B P U S) as M.
+    pose proof (difference_mean f (a + b) c _ _ _ k l m ltac:(lra) C One M K) as D.
+    replace ((a * u + b * s + c * k) / (a + b + c)) with (((a + b) * ((a * u + b * s) / (a + b)) + c * k) / (a + b + c))
+      by (field; lra).
+    replace ((a * v + b * t + c * l) / (a + b + c)) with (((a + b) * ((a * v + b * t) / (a + b)) + c * l) / (a + b + c))
+      by (field; lra).
+    replace ((a * w + b * q + c * m) / (a + b + c)) with (((a + b) * ((a * w + b * q) / (a + b)) + c * m) / (a + b + c))
+      by (field; lra). exact D.
+Qed.
+
+Lemma named_in f i j wx wy wz : named3 (f * x) (f * y) (f * z) f i j wx wy wz ->
+  in_difference (IZR f) (IZR wx) (IZR wy) (IZR wz).
+Proof.
+  intros (I & J & -> & -> & ->). exists (IZR (ax i)), (IZR (ay i)), (IZR (az i)), (IZR (bx j)), (IZR (bl j)), (IZR (bz j)).
+  unfold seat. rewrite !plus_IZR, !mult_IZR, !minus_IZR. split; [apply hull_vertex; exact I |].
+  split; [apply hull_vertex; exact J |]. repeat split; ring.
+Qed.
+
+Definition touch := exists u v w s t q, in_a u v w /\ in_b s t q /\ square_apart u v w s t q <= IZR d * IZR d.
+
+Lemma square_zero u v w : u * u + v * v + w * w <= 0 -> u = 0 /\ v = 0 /\ w = 0.
+Proof.
+  intros H. pose proof (Rle_0_sqr u). pose proof (Rle_0_sqr v). pose proof (Rle_0_sqr w). unfold Rsqr in *.
+  repeat split; apply Rsqr_0_uniq; unfold Rsqr; lra.
+Qed.
+
+(* A point of f (A - B) at most f m from the origin, m for the radii and the distance. *)
+Lemma difference_near f u v w r : (1 <= f)%Z -> (0 <= r <= f * (ra + rb + d))%Z -> in_difference (IZR f) u v w ->
+  u * u + v * v + w * w <= IZR r * IZR r -> touch.
+Proof.
+  intros F (R0 & R1) (p & p' & p'' & o & o' & o'' & P & O & U & V & W) N.
+  destruct radii as (RA & RB & D). apply IZR_le in F, RA, RB, D, R0, R1. rewrite mult_IZR, !plus_IZR in R1.
+  set (m := IZR ra + IZR rb + IZR d) in *. set (u1 := IZR x + p - o) in *. set (v1 := IZR y + p' - o') in *.
+  set (w1 := IZR z + p'' - o'') in *. simpl in F.
+  assert (M : u1 * u1 + v1 * v1 + w1 * w1 <= m * m).
+  { assert (G : 0 < IZR f * IZR f) by nra. apply Rmult_le_reg_l with (IZR f * IZR f); [exact G |].
+    replace (IZR f * IZR f * (u1 * u1 + v1 * v1 + w1 * w1)) with (u * u + v * v + w * w) by (rewrite U, V, W; ring).
+    pose proof (Rmult_le_compat _ _ _ _ R0 R0 R1 R1). lra. }
+  destruct (Req_dec m 0) as [Z | NZ].
+  - destruct (square_zero u1 v1 w1) as (U0 & V0 & W0); [rewrite Z in M; lra |].
+    exists (IZR (cx + x) + p), (IZR (cy + y) + p'), (IZR (cz + z) + p''), (IZR cx + o), (IZR cy + o'), (IZR cz + o'').
+    pose proof (Rle_0_sqr (IZR ra)). pose proof (Rle_0_sqr (IZR rb)). pose proof (Rle_0_sqr (IZR d)). unfold Rsqr in *.
+    split; [exists p, p', p''; split; [exact P | rewrite !plus_IZR; lra] |].
+    split; [exists o, o', o''; split; [exact O | lra] |]. unfold square_apart. rewrite !plus_IZR.
+    replace (IZR cx + IZR x + p - (IZR cx + o)) with u1 by (unfold u1; ring).
+    replace (IZR cy + IZR y + p' - (IZR cy + o')) with v1 by (unfold v1; ring).
+    replace (IZR cz + IZR z + p'' - (IZR cz + o'')) with w1 by (unfold w1; ring). rewrite U0, V0, W0. lra.
+  - assert (0 < m) by (unfold m in *; lra). set (k := / m). assert (K : k * m = 1) by (apply Rinv_l; exact NZ).
+    assert (0 < k) by (apply Rinv_0_lt_compat; assumption).
+    assert (S : (k * u1) * (k * u1) + (k * v1) * (k * v1) + (k * w1) * (k * w1) <= 1).
+    { replace ((k * u1) * (k * u1) + (k * v1) * (k * v1) + (k * w1) * (k * w1))
+        with ((k * k) * (u1 * u1 + v1 * v1 + w1 * w1)) by ring.
+      replace 1 with ((k * k) * (m * m)) by (replace ((k * k) * (m * m)) with ((k * m) * (k * m)) by ring; rewrite K; ring).
+      apply Rmult_le_compat_l; [apply Rle_0_sqr | exact M]. }
+    assert (scaled : forall e, (e * (k * u1)) * (e * (k * u1)) + (e * (k * v1)) * (e * (k * v1)) +
+      (e * (k * w1)) * (e * (k * w1)) <= e * e).
+    { intros e. replace ((e * (k * u1)) * (e * (k * u1)) + (e * (k * v1)) * (e * (k * v1)) + (e * (k * w1)) * (e * (k * w1)))
+        with ((e * e) * ((k * u1) * (k * u1) + (k * v1) * (k * v1) + (k * w1) * (k * w1))) by ring.
+      rewrite <- (Rmult_1_r (e * e)) at 2. apply Rmult_le_compat_l; [apply Rle_0_sqr | exact S]. }
+    exists (IZR (cx + x) + p - IZR ra * (k * u1)), (IZR (cy + y) + p' - IZR ra * (k * v1)),
+      (IZR (cz + z) + p'' - IZR ra * (k * w1)), (IZR cx + o + IZR rb * (k * u1)), (IZR cy + o' + IZR rb * (k * v1)),
+      (IZR cz + o'' + IZR rb * (k * w1)).
+    split; [exists p, p', p''; split; [exact P | rewrite !plus_IZR; pose proof (scaled (IZR ra)); lra] |].
+    split; [exists o, o', o''; split; [exact O | pose proof (scaled (IZR rb)); lra] |].
+    unfold square_apart. rewrite !plus_IZR.
+    replace (IZR cx + IZR x + p - IZR ra * (k * u1) - (IZR cx + o + IZR rb * (k * u1))) with (IZR d * (k * u1)).
+    2: { assert (u1 = k * m * u1) by (rewrite K; lra). unfold u1, m in *. lra. }
+    replace (IZR cy + IZR y + p' - IZR ra * (k * v1) - (IZR cy + o' + IZR rb * (k * v1))) with (IZR d * (k * v1)).
+    2: { assert (v1 = k * m * v1) by (rewrite K; lra). unfold v1, m in *. lra. }
+    replace (IZR cz + IZR z + p'' - IZR ra * (k * w1) - (IZR cz + o'' + IZR rb * (k * w1))) with (IZR d * (k * w1)).
+    2: { assert (w1 = k * m * w1) by (rewrite K; lra). unfold w1, m in *. lra. }
+    apply scaled.
+Qed.
+
+Ltac real_of H := unfold share3, share_of, toward3, volume3, area3, cross, norm3, dot3 in H;
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in H.
+
+(* `yes`: some points of A and of B are at most the distance apart. *)
+Theorem touching3 : together3 (ra + rb + d) -> touch.
+Proof.
+  intros (f & r & F & (R0 & R1) & H).
+  assert (R : (0 <= r <= f * (ra + rb + d))%Z) by lia.
+  assert (O : (0 <= 0 <= f * (ra + rb + d))%Z) by lia.
+  assert (point : forall s, (0 <= s <= f * (ra + rb + d))%Z -> point_within (f * x) (f * y) (f * z) f s -> touch).
+  { intros s S (i & j & u & v & w & N & B). apply named_in in N. apply (difference_near f _ _ _ s F S N).
+    unfold in_ball, norm3 in B. apply IZR_le in B. repeat rewrite ?mult_IZR, ?plus_IZR in B. exact B. }
+  destruct H as [[H | [H | [H | H]]] | [H | [H | H]]].
+  - exact (point 0%Z O H).
+  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & (T & T') & X & Y & Z).
+    apply named_in in P, Q. apply Z.gt_lt, IZR_lt in T, T'. unfold meets_one in X, Y, Z. apply (f_equal IZR) in X, Y, Z.
+    rewrite plus_IZR, !mult_IZR in X, Y, Z. simpl in T, T'.
+    set (a := IZR (toward3 px py pz qx qy qz)) in *. set (b := IZR (toward3 qx qy qz px py pz)) in *. clearbody a b.
+    pose proof (difference_mean _ b a _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) P Q) as M.
+    replace (b * IZR px + a * IZR qx) with 0 in M by lra. replace (b * IZR py + a * IZR qy) with 0 in M by lra.
+    replace (b * IZR pz + a * IZR qz) with 0 in M by lra. apply (difference_near f _ _ _ 0 F O M).
+    replace (0 / (b + a)) with 0 by (field; lra). lra.
+  - destruct H as (i & j & k & l & m & n & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & (A & B & C) & V).
+    apply named_in in P, Q, S. apply Z.gt_lt, IZR_lt in A, B, C. apply (f_equal IZR) in V.
+    real_of A. real_of B. real_of C. real_of V.
+    destruct (shares_mean (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as (X & Y & Z).
+    unfold volume in X, Y, Z. rewrite V, Rmult_0_l in X, Y, Z.
+    set (p1 := share _ _ _ _ _ _ (IZR px) (IZR py) (IZR pz)) in *. set (p2 := share _ _ _ _ _ _ (IZR qx) (IZR qy) (IZR qz)) in *.
+    set (p3 := share _ _ _ _ _ _ (IZR sx) (IZR sy) (IZR sz)) in *.
+    assert (P3 : 0 < p3) by exact A. assert (P1 : 0 < p1) by exact B. assert (P2 : 0 < p2) by exact C. clearbody p1 p2 p3.
+    pose proof (difference_mean3 _ p1 p2 p3 _ _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q S) as M.
+    rewrite X, Y, Z in M. apply (difference_near f _ _ _ 0 F O M). replace (0 / (p1 + p2 + p3)) with 0 by (field; lra). lra.
+  - destruct H as (i & j & k & l & m & n & o & e & px & py & pz & qx & qy & qz & sx & sy & sz & tx & ty & tz & P & Q & S & T & V).
+    apply named_in in P, Q, S, T. unfold in_tetrahedron, one_side in V.
+    set (a := volume3 qx qy qz sx sy sz tx ty tz) in *. set (b := volume3 px py pz sx sy sz tx ty tz) in *.
+    set (c := volume3 px py pz qx qy qz tx ty tz) in *. set (g := volume3 px py pz qx qy qz sx sy sz) in *.
+    assert (X : (a * px - b * qx + c * sx - g * tx = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
+    assert (Y : (a * py - b * qy + c * sy - g * ty = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
+    assert (Z : (a * pz - b * qz + c * sz - g * tz = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
+    clearbody a b c g. apply (f_equal IZR) in X, Y, Z.
+    repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in X. repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in Y.
+    repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in Z.
+    assert (mean : forall a b c g, 0 <= a -> 0 <= b -> 0 <= c -> 0 <= g -> 0 < a + b + c + g ->
+      a * IZR px + b * IZR qx + c * IZR sx + g * IZR tx = 0 -> a * IZR py + b * IZR qy + c * IZR sy + g * IZR ty = 0 ->
+      a * IZR pz + b * IZR qz + c * IZR sz + g * IZR tz = 0 -> touch).
+    { clear - radii P Q S T F O. intros a b c g A B C G One X Y Z. destruct (Req_dec (a + b + c) 0) as [E | N].
+      - assert (a = 0) by lra. assert (b = 0) by lra. assert (c = 0) by lra. subst a b c.
+        apply (difference_near f _ _ _ 0 F O T). assert (IZR tx = 0) by nra. assert (IZR ty = 0) by nra.
+        assert (IZR tz = 0) by nra. rewrite H, H0, H1. simpl. lra.
+      - pose proof (difference_mean3 _ a b c _ _ _ _ _ _ _ _ _ A B C ltac:(lra) P Q S) as M.
+        pose proof (difference_mean _ (a + b + c) g _ _ _ _ _ _ ltac:(lra) G One M T) as D.
+        apply (difference_near f _ _ _ 0 F O D).
+        assert (zero : forall p q s t, a * p + b * q + c * s + g * t = 0 ->
+          ((a + b + c) * ((a * p + b * q + c * s) / (a + b + c)) + g * t) / (a + b + c + g) = 0).
+        { intros p q s t W. replace ((a + b + c) * ((a * p + b * q + c * s) / (a + b + c)) + g * t) with (a * p + b * q + c * s + g * t)
+            by (field; lra). rewrite W. field. lra. }
+        rewrite !zero by assumption. lra. }
+    destruct V as [(A & B & C & G & E) | (A & B & C & G & E)]; apply IZR_le in A, B, C, G; apply IZR_lt in E;
+      rewrite !plus_IZR, !opp_IZR in E.
+    + rewrite opp_IZR in B, G. apply (mean (IZR a) (- IZR b) (IZR c) (- IZR g)); lra.
+    + rewrite opp_IZR in A, C. apply (mean (- IZR a) (IZR b) (- IZR c) (IZR g)); lra.
+  - exact (point r R H).
+  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & (T & T') & N).
+    apply named_in in P, Q. apply Z.gt_lt, IZR_lt in T, T'. apply IZR_le in N. real_of T. real_of T'. real_of N.
+    set (p := IZR px) in *. set (p' := IZR py) in *. set (p'' := IZR pz) in *.
+    set (u := IZR qx) in *. set (v := IZR qy) in *. set (w := IZR qz) in *. clearbody p p' p'' u v w.
+    set (a := p * p + p' * p' + p'' * p'' - (p * u + p' * v + p'' * w)) in *.
+    set (b := u * u + v * v + w * w - (u * p + v * p' + w * p'')) in *.
+    assert (T0 : 0 < a) by lra. assert (T1 : 0 < b) by lra.
+    pose proof (difference_mean _ b a _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) P Q) as M.
+    apply (difference_near f _ _ _ r F R M). assert (E : 0 < b + a) by lra.
+    apply Rmult_le_reg_l with (b + a); [exact E |]. set (c := b + a) in *.
+    replace (c * ((b * p + a * u) / c * ((b * p + a * u) / c) + (b * p' + a * v) / c * ((b * p' + a * v) / c) +
+      (b * p'' + a * w) / c * ((b * p'' + a * w) / c)))
+      with (((b * p + a * u) * (b * p + a * u) + (b * p' + a * v) * (b * p' + a * v) +
+        (b * p'' + a * w) * (b * p'' + a * w)) / c) by (field; lra).
+    replace ((b * p + a * u) * (b * p + a * u) + (b * p' + a * v) * (b * p' + a * v) + (b * p'' + a * w) * (b * p'' + a * w))
+      with (c * ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) -
+        (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w))) by (unfold c, a, b; ring).
+    replace (c * ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) - (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w)) / c)
+      with ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) - (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w))
+      by (field; lra).
+    replace (c * (IZR r * IZR r)) with (IZR r * IZR r * (a + b)) by (unfold c; ring). exact N.
+  - destruct H as (i & j & k & l & m & n & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & (A & B & C) & N).
+    apply named_in in P, Q, S. apply Z.gt_lt, IZR_lt in A, B, C. apply IZR_le in N.
+    real_of A. real_of B. real_of C. real_of N.
+    pose proof (shares_sum (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as E.
+    destruct (shares_mean (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as (X & Y & Z).
+    set (p1 := share _ _ _ _ _ _ (IZR px) (IZR py) (IZR pz)) in *. set (p2 := share _ _ _ _ _ _ (IZR qx) (IZR qy) (IZR qz)) in *.
+    set (p3 := share _ _ _ _ _ _ (IZR sx) (IZR sy) (IZR sz)) in *.
+    assert (P3 : 0 < p3) by exact A. assert (P1 : 0 < p1) by exact B. assert (P2 : 0 < p2) by exact C. clear A B C.
+    set (h := volume _ _ _ _ _ _ _ _ _) in *. set (nx := area (IZR py) _ _ _ _ _) in *. set (ny := area (IZR pz) _ _ _ _ _) in *.
+    set (nz := area (IZR px) _ _ _ _ _) in *.
+    assert (N' : h * h <= IZR r * IZR r * (nx * nx + ny * ny + nz * nz)) by exact N. clear N.
+    clearbody p1 p2 p3 h nx ny nz.
+    pose proof (difference_mean3 _ p1 p2 p3 _ _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q S) as M.
+    rewrite X, Y, Z, E in M. apply (difference_near f _ _ _ r F R M).
+    set (c := nx * nx + ny * ny + nz * nz) in *. assert (G : 0 < c) by lra.
+    apply Rmult_le_reg_l with c; [exact G |].
+    replace (c * (h * nx / c * (h * nx / c) + h * ny / c * (h * ny / c) + h * nz / c * (h * nz / c))) with (h * h).
+    2: { replace (c * (h * nx / c * (h * nx / c) + h * ny / c * (h * ny / c) + h * nz / c * (h * nz / c)))
+      with (h * h * (nx * nx + ny * ny + nz * nz) / c) by (field; lra). fold c. field. lra. }
+    lra.
+Qed.
+
 End Vertices.
 
 Print Assumptions apart3.
 Print Assumptions spheres_apart3.
+Print Assumptions touching3.

@@ -2,4 +2,5 @@
 #include "space.h"
 #include "src/gjk/gjk_frame.c"
 #include "src/gjk/gjk_iteration.c"
+#include "src/gjk/gjk_simplex.c"
 #include "src/query/gjk_check.c"

@@ -14,7 +14,83 @@
 #define SPHERES(a, b, radius) spheres_apart(APART(a, b), (a)->core_radius + (b)->core_radius + (radius))
 #define XYZ(v) (v).x, (v).y, (v).z
 
+// Sizes of edges and products.
+/*@ lemma difference_square: \forall integer x, u; (u - x) * (u - x) <= 2 * (u * u) + 2 * (x * x);
+    lemma difference_norm: \forall integer x, y, z, u, v, w;
+      norm3(u - x, v - y, w - z) <= 2 * norm3(x, y, z) + 2 * norm3(u, v, w);
+    lemma difference_ball: \forall integer x, y, z, u, v, w, r;
+      in_ball(x, y, z, r) && in_ball(u, v, w, r) ==> in_ball(u - x, v - y, w - z, 2 * r);
+    predicate span3(integer x, integer y, integer z, integer u, integer v, integer w) =
+      in_ball(u - x, v - y, w - z, 0x7fffffff); */
+
+/*@ predicate cross_small3(integer x, integer y, integer z, integer u, integer v, integer w) =
+      SMALL62(cross(y, z, v, w)) && SMALL62(cross(z, x, w, u)) && SMALL62(cross(x, y, u, v)) &&
+      SMALL62(dot3(x, y, z, u, v, w));
+    lemma lagrange_cross: \forall integer x, y, z, u, v, w; norm3(x, y, z) * norm3(u, v, w) == square(dot3(x, y, z, u, v, w)) +
+      square(cross(x, y, u, v)) + square(cross(y, z, v, w)) + square(cross(z, x, w, u));
+    predicate all_below(integer a, integer b, integer c, integer d, integer n) =
+      square(a) <= n && square(b) <= n && square(c) <= n && square(d) <= n;
+    lemma all_below: \forall integer n, a, b, c, d;
+      square(d) + square(a) + square(b) + square(c) == n ==> all_below(a, b, c, d, n);
+    lemma cross_below: \forall integer x, y, z, u, v, w; all_below(cross(x, y, u, v), cross(y, z, v, w), cross(z, x, w, u),
+      dot3(x, y, z, u, v, w), norm3(x, y, z) * norm3(u, v, w));
+    lemma square_small: \forall integer t; square(t) < 0x10000000000000000000000000000000 ==> SMALL62(t);
+    lemma all_small: \forall integer a, b, c, d, n; all_below(a, b, c, d, n) && n < 0x10000000000000000000000000000000 ==>
+      SMALL62(a) && SMALL62(b) && SMALL62(c) && SMALL62(d);
+    predicate product_small(integer a, integer b) = a * b < 0x10000000000000000000000000000000;
+    lemma cross_small3: \forall integer x, y, z, u, v, w;
+      product_small(norm3(x, y, z), norm3(u, v, w)) ==> cross_small3(x, y, z, u, v, w);
+    lemma spots_product: \forall integer a, b;
+      0 <= a <= 0x60000000 * 0x60000000 && 0 <= b <= 0x60000000 * 0x60000000 ==> product_small(a, b);
+    lemma spans_product: \forall integer a, b;
+      0 <= a <= 0x7fffffff * 0x7fffffff && 0 <= b <= 0x7fffffff * 0x7fffffff ==> product_small(a, b);
+    lemma cross_of_spots: \forall integer x, y, z, u, v, w;
+      in_ball(x, y, z, 0x60000000) && in_ball(u, v, w, 0x60000000) ==> cross_small3(x, y, z, u, v, w);
+    lemma cross_of_spans: \forall integer x, y, z, u, v, w;
+      in_ball(x, y, z, 0x7fffffff) && in_ball(u, v, w, 0x7fffffff) ==> cross_small3(x, y, z, u, v, w);
+    predicate dot_within(integer x, integer y, integer z, integer u, integer v, integer w) =
+      -0x3000000000000000 <= dot3(x, y, z, u, v, w) <= 0x3000000000000000;
+    lemma under_opposite: \forall integer t, d, p; under(t, d, p) ==> under(-t, d, p);
+    lemma balls_opposite: \forall integer x, y, z, u, v, w, r, s;
+      0 <= r && 0 <= s && in_ball(x, y, z, r) && in_ball(u, v, w, s) ==> at_most(-dot3(x, y, z, u, v, w), r, s);
+    lemma at_most_constant: \forall integer t; at_most(t, 0x60000000, 0x7fffffff) ==> t <= 0x3000000000000000;
+    lemma dot_within: \forall integer x, y, z, u, v, w;
+      in_ball(x, y, z, 0x60000000) && in_ball(u, v, w, 0x7fffffff) ==> dot_within(x, y, z, u, v, w);
+    lemma toward_dot: \forall integer x, y, z, u, v, w; toward3(x, y, z, u, v, w) == -dot3(x, y, z, u - x, v - y, w - z);
+    lemma toward_dots: \forall integer x, y, z, u, v, w, s, t, q;
+      toward3(x, y, z, u, v, w) - toward3(x, y, z, s, t, q) == -dot3(x, y, z, u - s, v - t, w - q); */
+
+/*@ predicate toward_small(integer x, integer y, integer z, integer u, integer v, integer w) =
+      -0x3000000000000000 <= toward3(x, y, z, u, v, w) <= 0x3000000000000000;
+    lemma toward_small: \forall integer x, y, z, u, v, w;
+      in_ball(x, y, z, 0x60000000) && span3(x, y, z, u, v, w) ==> toward_small(x, y, z, u, v, w);
+    predicate toward_apart(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q) =
+      -0x3000000000000000 <= toward3(x, y, z, u, v, w) - toward3(x, y, z, s, t, q) <= 0x3000000000000000;
+    lemma toward_apart: \forall integer x, y, z, u, v, w, s, t, q;
+      in_ball(x, y, z, 0x60000000) && span3(s, t, q, u, v, w) ==> toward_apart(x, y, z, u, v, w, s, t, q);
+    lemma span_turned: \forall integer x, y, z, u, v, w; span3(x, y, z, u, v, w) ==> span3(u, v, w, x, y, z); */
+
+/*@ predicate area_turned(integer x, integer y, integer u, integer v, integer s, integer t) =
+      area3(u, v, x, y, s, t) == -area3(x, y, u, v, s, t);
+    lemma area_turned: \forall integer x, y, u, v, s, t; area_turned(x, y, u, v, s, t);
+    predicate area_small(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q) =
+      SMALL62(area3(y, z, v, w, t, q)) && SMALL62(area3(z, x, w, u, q, s)) && SMALL62(area3(x, y, u, v, s, t));
+    lemma area_of_cross: \forall integer x, y, z, u, v, w, s, t, q;
+      cross_small3(u - x, v - y, w - z, s - x, t - y, q - z) ==> area_small(x, y, z, u, v, w, s, t, q);
+    lemma area_small: \forall integer x, y, z, u, v, w, s, t, q;
+      span3(x, y, z, u, v, w) && span3(x, y, z, s, t, q) ==> area_small(x, y, z, u, v, w, s, t, q); */
+
 #include "gjk/check.h"
+#include "src/arith/gjk_vector.h"
+
+// 2^n.
+/*@ axiomatic scales {
+      logic integer scale(integer n) reads \nothing;
+      axiom scale_none: scale(0) == 1;
+      axiom scale_next: \forall integer n; 0 <= n ==> scale(n + 1) == 2 * scale(n);
+      axiom scale_least: \forall integer n; 0 <= n ==> 1 <= scale(n);
+    } */
+
 #include "src/gjk/gjk_frame.h"
 
 // Vertex i of a collider, relative to its centre, and how many there are.
@@ -37,10 +113,12 @@ bool space_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset);
 /*@ predicate polyhedral(gjk_collider *c) =
       c->shape->type->vertex == &space_vertex && 1 <= corners(c) <= 0xffff &&
       (\forall integer i; 0 <= i < corners(c) ==> in_ball(px(c, i), py(c, i), pz(c, i), 0x10000000));
+    predicate cored(gjk_collider *c, integer r) =
+      \forall integer i; 0 <= i < corners(c) ==> in_ball(px(c, i), py(c, i), pz(c, i), r);
     predicate solid(gjk_collider *c) =
       \valid_read(c) && \valid_read(c->shape) && \valid_read(c->shape->type) &&
-      0 <= c->core_radius && 0 <= c->shape->convex_radius && c->core_radius + c->shape->convex_radius <= 0x10000000 &&
-      (c->shape->type->stalls == \null ==> polyhedral(c)); */
+      1 <= c->core_radius && 0 <= c->shape->convex_radius && c->core_radius + c->shape->convex_radius <= 0x10000000 &&
+      (c->shape->type->stalls == \null ==> polyhedral(c) && cored(c, c->core_radius)); */
 
 #define RADII(a, b) ((a)->shape->convex_radius + (b)->shape->convex_radius)
 #define SOLID(c) (\valid_read(c) && \valid_read((c)->shape) && \valid_read((c)->shape->type) && polyhedral(c))
@@ -68,6 +146,52 @@ static inline int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
     assigns \nothing;
     ensures \result == (p * q + r * s < 0 ? -1 : p * q + r * s == 0 ? 0 : 1); */
 static inline int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s);
+
+/*@ requires \valid_read(a) && \valid_read(b) && \valid(out) && \separated(out, a) && \separated(out, b);
+    requires cross_small3(XYZ(*a), XYZ(*b)) && a->x > -0x80000000 && a->y > -0x80000000 && a->z > -0x80000000;
+    assigns *out;
+    ensures out->x == cross(a->y, a->z, b->y, b->z);
+    ensures out->y == cross(a->z, a->x, b->z, b->x);
+    ensures out->z == cross(a->x, a->y, b->x, b->y); */
+static inline void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
+
+#define SMALL_LONG(n) (SMALL62((n)->x) && SMALL62((n)->y) && SMALL62((n)->z))
+#define SIGN(x) ((x) < 0 ? -1 : (x) == 0 ? 0 : 1)
+
+/*@ requires \valid_read(n) && \valid_read(v) && SMALL_LONG(n) && in_ball(XYZ(*v), 0x60000000);
+    assigns \nothing;
+    ensures \result == SIGN(dot3(XYZ(*n), XYZ(*v))); */
+int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v);
+
+/*@ requires \valid_read(n) && \valid_read(v) && SMALL_LONG(n) && in_ball(XYZ(*v), 0x60000000);
+    assigns \nothing;
+    ensures \result == SIGN(dot3(XYZ(*n), XYZ(*v))); */
+static inline int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v);
+
+/*@ requires \valid_read(a) && \valid_read(b) && \valid_read(c) && \valid(out);
+    requires \separated(out, a) && \separated(out, b) && \separated(out, c);
+    requires span3(XYZ(*a), XYZ(*b)) && span3(XYZ(*a), XYZ(*c));
+    assigns *out;
+    ensures out->x == area3(a->y, a->z, b->y, b->z, c->y, c->z);
+    ensures out->y == area3(a->z, a->x, b->z, b->x, c->z, c->x);
+    ensures out->z == area3(a->x, a->y, b->x, b->y, c->x, c->y); */
+static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out);
+
+/*@ requires 0 < x;
+    assigns \nothing;
+    ensures \result <= 31 && 0x80000000 <= x * scale(\result) <= 0xffffffff; */
+static inline unsigned gjk_clz32(uint32_t x);
+
+/*@ requires n <= 31 && -0x80000000 <= x * scale(n) <= 0x7fffffff;
+    assigns \nothing;
+    ensures \result == x * scale(n); */
+static inline int32_t gjk_shl32(int32_t x, unsigned n);
+
+/*@ requires v.x > -0x80000000 && v.y > -0x80000000 && v.z > -0x80000000;
+    requires size3(XYZ(v)) <= 0xffffffff;
+    assigns \nothing;
+    ensures \result == size3(XYZ(v)); */
+static inline uint32_t gjk_norm1(gjk_vec3 v);
 
 // The checker.
 #define REACH 0x60000000
@@ -97,19 +221,293 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d);
     ensures \result == 1 ==> all_beyond3(it->a, it->b, APART(it->a, it->b), XYZ(*direction), radius); */
 static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, int64_t radius);
 
-// Not looked at here: what follows from a feature.
-/*@ assigns it->simplex; */
-static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate);
-/*@ assigns it->simplex; */
-static bool is_together(gjk_iteration *it, const gjk_certificate *certificate);
-/*@ assigns \nothing; */
+// Vertices of A - B in the frame, of f units an LSB, where A's centre less B's is (x, y, z).
+/*@ logic integer seat(integer x, integer f, integer p, integer q) = x + f * (p - q);
+    predicate named3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer i, integer j,
+        integer wx, integer wy, integer wz) = 0 <= i < corners(a) && 0 <= j < corners(b) &&
+      wx == seat(x, f, px(a, i), px(b, j)) && wy == seat(y, f, py(a, i), py(b, j)) && wz == seat(z, f, pz(a, i), pz(b, j));
+    predicate reach3(integer x, integer y, integer z, integer wx, integer wy, integer wz) =
+      in_ball(wx, wy, wz, REACH) && in_ball(wx - x, wy - y, wz - z, 0x3fffffff);
+    predicate point_within(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
+      \exists integer i, j, tx, ty, tz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) && in_ball(tx, ty, tz, r);
+    predicate edge_within(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
+      \exists integer i, j, k, l, tx, ty, tz, ux, uy, uz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) &&
+        named3(a, b, x, y, z, f, k, l, ux, uy, uz) && near_edge3(tx, ty, tz, ux, uy, uz, r);
+    predicate face_within(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
+      \exists integer i, j, k, l, m, n, tx, ty, tz, ux, uy, uz, vx, vy, vz;
+        named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+        named3(a, b, x, y, z, f, m, n, vx, vy, vz) && near_face3(tx, ty, tz, ux, uy, uz, vx, vy, vz, r);
+    predicate edge_holds(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f) =
+      \exists integer i, j, k, l, tx, ty, tz, ux, uy, uz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) &&
+        named3(a, b, x, y, z, f, k, l, ux, uy, uz) && on_edge3(tx, ty, tz, ux, uy, uz);
+    predicate face_holds(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f) =
+      \exists integer i, j, k, l, m, n, tx, ty, tz, ux, uy, uz, vx, vy, vz;
+        named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+        named3(a, b, x, y, z, f, m, n, vx, vy, vz) && on_face3(tx, ty, tz, ux, uy, uz, vx, vy, vz);
+    predicate cell_holds(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f) =
+      \exists integer i, j, k, l, m, n, o, p, tx, ty, tz, ux, uy, uz, vx, vy, vz, wx, wy, wz;
+        named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+        named3(a, b, x, y, z, f, m, n, vx, vy, vz) && named3(a, b, x, y, z, f, o, p, wx, wy, wz) &&
+        in_tetrahedron(tx, ty, tz, ux, uy, uz, vx, vy, vz, wx, wy, wz);
+    predicate enclosing3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f) =
+      point_within(a, b, x, y, z, f, 0) || edge_holds(a, b, x, y, z, f) || face_holds(a, b, x, y, z, f) ||
+      cell_holds(a, b, x, y, z, f);
+    predicate near3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
+      point_within(a, b, x, y, z, f, r) || edge_within(a, b, x, y, z, f, r) || face_within(a, b, x, y, z, f, r); */
+
+/*@ predicate radius_framed(integer radius, integer r, integer f) = 0 <= radius <= f * r;
+    predicate reached3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
+      enclosing3(a, b, x, y, z, f) || near3(a, b, x, y, z, f, r);
+    predicate together3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer r) =
+      \exists integer f, s; 1 <= f && radius_framed(s, r, f) && reached3(a, b, f * x, f * y, f * z, f, s); */
+
+/*@ lemma edge_near: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, k, l, tx, ty, tz, ux, uy, uz, r;
+      named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+      near_edge3(tx, ty, tz, ux, uy, uz, r) ==> near3(a, b, x, y, z, f, r);
+    lemma face_near: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, k, l, m, n,
+        tx, ty, tz, ux, uy, uz, vx, vy, vz, r; named3(a, b, x, y, z, f, i, j, tx, ty, tz) &&
+      named3(a, b, x, y, z, f, k, l, ux, uy, uz) && named3(a, b, x, y, z, f, m, n, vx, vy, vz) &&
+      near_face3(tx, ty, tz, ux, uy, uz, vx, vy, vz, r) ==> near3(a, b, x, y, z, f, r);
+    lemma cell: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, k, l, m, n, o, p,
+        tx, ty, tz, ux, uy, uz, vx, vy, vz, wx, wy, wz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) &&
+      named3(a, b, x, y, z, f, k, l, ux, uy, uz) && named3(a, b, x, y, z, f, m, n, vx, vy, vz) &&
+      named3(a, b, x, y, z, f, o, p, wx, wy, wz) && in_tetrahedron(tx, ty, tz, ux, uy, uz, vx, vy, vz, wx, wy, wz) ==>
+      cell_holds(a, b, x, y, z, f);
+    lemma cell_encloses: \forall gjk_collider *a, *b, integer x, y, z, f;
+      cell_holds(a, b, x, y, z, f) ==> enclosing3(a, b, x, y, z, f);
+    lemma reached_by_enclosing: \forall gjk_collider *a, *b, integer x, y, z, f, r;
+      enclosing3(a, b, x, y, z, f) ==> reached3(a, b, x, y, z, f, r);
+    lemma together: \forall gjk_collider *a, *b, integer x, y, z, r, f, s, dx, dy, dz; 1 <= f && radius_framed(s, r, f) &&
+      dx == f * x && dy == f * y && dz == f * z && reached3(a, b, dx, dy, dz, f, s) ==> together3(a, b, x, y, z, r);
+    lemma reached_by_near: \forall gjk_collider *a, *b, integer x, y, z, f, r;
+      near3(a, b, x, y, z, f, r) ==> reached3(a, b, x, y, z, f, r); */
+
+// What the frame holds: f times the centres' difference (x, y, z), with room for cores whose radii add up to c; and the
+// radius r, or less.
+/*@ predicate framed(integer x, integer y, integer z, integer c, integer f, integer dx, integer dy, integer dz) =
+      1 <= f && dx == f * x && dy == f * y && dz == f * z && 0 <= f * c <= 0x3fffffff &&
+      in_ball(dx, dy, dz, 0x40000000) && in_ball(dx, dy, dz, REACH - f * c); */
+/*@ lemma framed_one: \forall integer x, y, z, c;
+      0 <= c <= 0x20000000 && in_ball(x, y, z, 0x40000000) ==> framed(x, y, z, c, 1, x, y, z); */
+#define CORES(a, b) ((a)->core_radius + (b)->core_radius)
+#define FRAMED(it) framed(APART((it)->a, (it)->b), CORES((it)->a, (it)->b), scale((it)->shift), XYZ((it)->delta))
+#define SLOT(s, k) XYZ((s)->slot[k].w)
+#define AT(it, L)                                                                                        \
+  \at((it)->a, L), \at((it)->b, L), \at((it)->delta.x, L), \at((it)->delta.y, L), \at((it)->delta.z, L), \
+      scale(\at((it)->shift, L))
+#define NAMED3(it, c, k, L)                                                            \
+  (named3(AT(it, L), \at((c)->a[k], L), \at((c)->b[k], L), SLOT(&(it)->simplex, k)) && \
+   reach3(\at((it)->delta.x, L), \at((it)->delta.y, L), \at((it)->delta.z, L), SLOT(&(it)->simplex, k)))
+#define CORED(c) (SOLID(c) && 1 <= (c)->core_radius <= 0x10000000 && cored(c, (c)->core_radius))
+#define FRAME(it) \
+  (\valid(it) && CORED((it)->a) && CORED((it)->b) && \separated(it, (it)->a) && \separated(it, (it)->b) &&           \
+   \separated(it, (it)->a->shape) && \separated(it, (it)->b->shape) && \separated(it, (it)->a->shape->type) &&       \
+   \separated(it, (it)->b->shape->type) && 0 <= (it)->shift <= 29 && 0 <= (it)->radius && FRAMED(it))
+
+// The simplex.
+#define KEPT(s, k)                                                                             \
+  ((s)->slot[k].w.x == \old((s)->slot[k].w.x) && (s)->slot[k].w.y == \old((s)->slot[k].w.y) && \
+   (s)->slot[k].w.z == \old((s)->slot[k].w.z))
+#define IN_ORDER(s) ((s)->order[0] == 0 && (s)->order[1] == 1 && (s)->order[2] == 2 && (s)->order[3] == 3)
+#define SPOT(s, k) in_ball(SLOT(s, k), REACH)
+/*@ lemma span3: \forall integer x, y, z, px, py, pz, qx, qy, qz;
+      reach3(x, y, z, px, py, pz) && reach3(x, y, z, qx, qy, qz) ==> span3(px, py, pz, qx, qy, qz); */
+#define SPAN(s, i, j) span3(SLOT(s, i), SLOT(s, j))
+#define TOWARD(s, i, j) ((s)->toward[i][j] == toward3(SLOT(s, i), SLOT(s, j)))
+#define SQUARE(s, i) ((s)->toward[i][i] == norm3(SLOT(s, i)))
+#define OF3(word, s, i, j, k) word(SLOT(s, i), SLOT(s, j), SLOT(s, k))
+#define AREA_X(s, i, j, k) \
+  area3((s)->slot[i].w.y, (s)->slot[i].w.z, (s)->slot[j].w.y, (s)->slot[j].w.z, (s)->slot[k].w.y, (s)->slot[k].w.z)
+#define AREA_Y(s, i, j, k) \
+  area3((s)->slot[i].w.z, (s)->slot[i].w.x, (s)->slot[j].w.z, (s)->slot[j].w.x, (s)->slot[k].w.z, (s)->slot[k].w.x)
+#define AREA_Z(s, i, j, k) \
+  area3((s)->slot[i].w.x, (s)->slot[i].w.y, (s)->slot[j].w.x, (s)->slot[j].w.y, (s)->slot[k].w.x, (s)->slot[k].w.y)
+#define NORMAL(s, i, j, k) \
+  ((s)->normal.x == AREA_X(s, i, j, k) && (s)->normal.y == AREA_Y(s, i, j, k) && (s)->normal.z == AREA_Z(s, i, j, k))
+#define FACE(s)                                                        \
+  (((s)->order[0] == 0 && (s)->order[1] == 1 && NORMAL(s, 0, 1, 2) ||  \
+    (s)->order[0] == 1 && (s)->order[1] == 0 && NORMAL(s, 1, 0, 2)) && \
+   (s)->order[2] == 2)
+
+/*@ requires \valid(s);
+    assigns s->count, s->order[0 .. 3];
+    ensures s->count == 0 && IN_ORDER(s); */
+void gjk_simplex_clear(gjk_simplex *s);
+
+#define ROUNDS(s, i, j, k) (SPOT(s, i) && SPOT(s, j) && SPOT(s, k) && SPAN(s, i, j) && SPAN(s, i, k) && SPAN(s, j, k))
+#define CORNERS(i, j, k) ((i) <= 2 && (j) <= 2 && (k) <= 2 && (i) != (j) && (j) != (k) && (i) != (k))
+
+/*@ requires \valid(s) && n <= 3 && CORNERS(i, j, k);
+    assigns s->count, s->order[0 .. 3];
+    ensures s->count == n && s->order[0] == i && s->order[1] == j && s->order[2] == k && s->order[3] == 3; */
+static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k);
+
+/*@ requires \valid_read(s) && CORNERS(i, j, k) && SPOT(s, i) && SPOT(s, j) && SPAN(s, i, j) && SPAN(s, i, k) && SPAN(s, j, k);
+    requires TOWARD(s, i, j) && TOWARD(s, j, i) && TOWARD(s, i, k) && TOWARD(s, j, k);
+    assigns \nothing;
+    ensures \result == SIGN(OF3(share3, s, i, j, k)); */
+static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k);
+
+/*@ requires \valid_read(s) && CORNERS(i, j, k) && SPOT(s, i) && SPOT(s, j) && SPAN(s, i, j) && SPAN(s, i, k) && SPAN(s, j, k);
+    requires TOWARD(s, i, j) && TOWARD(s, j, i) && TOWARD(s, i, k) && TOWARD(s, j, k);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> OF3(share3, s, i, j, k) <= 0; */
+static bool is_within_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k);
+
+/*@ requires \valid(s) && w <= 3 && slot <= 3 && w != slot && SPOT(s, slot) && SPAN(s, w, slot) && SPOT(s, w);
+    requires \valid_read(v) && \separated(s, v) && v->x == s->slot[w].w.x && v->y == s->slot[w].w.y && v->z == s->slot[w].w.z;
+    requires square == norm3(SLOT(s, w)) && SQUARE(s, slot);
+    assigns s->toward[w][slot], s->toward[slot][w];
+    ensures TOWARD(s, w, slot) && TOWARD(s, slot, w); */
+static void set_product(gjk_simplex *s, unsigned w, int64_t square, const gjk_vec3 *v, unsigned slot);
+
+/*@ requires \valid(s) && w <= 2 && w == n && IN_ORDER(s) && SPOT(s, w);
+    requires w > 0 ==> SPOT(s, 0) && SPAN(s, w, 0) && SQUARE(s, 0);
+    requires w > 1 ==> SPOT(s, 1) && SPAN(s, w, 1) && SQUARE(s, 1);
+    assigns s->toward[w][0 .. w], s->toward[0 .. w][w];
+    ensures SQUARE(s, w);
+    ensures w > 0 ==> TOWARD(s, w, 0) && TOWARD(s, 0, w);
+    ensures w > 1 ==> TOWARD(s, w, 1) && TOWARD(s, 1, w); */
+static void set_products(gjk_simplex *s, unsigned w, unsigned n);
+
+/*@ requires \valid(s) && w <= 2 && w == s->count && IN_ORDER(s) && SPOT(s, w);
+    requires w > 0 ==> SPOT(s, 0) && SPAN(s, w, 0) && SQUARE(s, 0);
+    requires w > 1 ==> SPOT(s, 1) && SPAN(s, w, 1) && SQUARE(s, 1);
+    assigns s->toward[w][0 .. w], s->toward[0 .. w][w];
+    ensures SQUARE(s, w);
+    ensures w > 0 ==> TOWARD(s, w, 0) && TOWARD(s, 0, w);
+    ensures w > 1 ==> TOWARD(s, w, 1) && TOWARD(s, 1, w); */
+static void set_all_products(gjk_simplex *s, unsigned w);
+
+/*@ requires \valid(s) && x <= 2 && y <= 2 && w <= 2 && SPAN(s, x, y) && SPAN(s, x, w);
+    assigns s->normal;
+    ensures NORMAL(s, x, y, w); */
+static void set_triangle_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned w);
+
+/*@ requires \valid(s) && x == 0 && y == 1 && w == 2 && ROUNDS(s, 0, 1, 2);
+    assigns s->normal, s->order[0 .. 3], s->count;
+    ensures s->count == 3 && FACE(s) && SMALL_LONG(&s->normal); */
+static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w);
+
+/*@ requires \valid(s) && 1 <= n <= 3 && SPOT(s, 0);
+    requires n > 1 ==> SPOT(s, 1) && SPAN(s, 0, 1);
+    requires n > 2 ==> SPOT(s, 2) && SPAN(s, 0, 2) && SPAN(s, 1, 2);
+    assigns s->toward[0 .. 3][0 .. 3], s->normal, s->order[0 .. 3], s->count;
+    ensures \result == 0 || \result == 1;
+    ensures s->count == n;
+    ensures n < 3 ==> IN_ORDER(s);
+    ensures n < 3 ==> SQUARE(s, 0);
+    ensures n == 2 ==> SQUARE(s, 1) && TOWARD(s, 0, 1) && TOWARD(s, 1, 0);
+    ensures n == 2 ==> (\result == 1 <==> foot3(SLOT(s, 0), SLOT(s, 1)));
+    ensures n == 3 ==> FACE(s) && SMALL_LONG(&s->normal) && (\result == 1 <==> OF3(inside3, s, 0, 1, 2)); */
+bool gjk_simplex_set(gjk_simplex *s, unsigned n);
+
+// A feature that holds the origin's foot.
+#define EDGED(s) (SPOT(s, 1) && SPAN(s, 0, 1) && SQUARE(s, 1) && TOWARD(s, 0, 1) && TOWARD(s, 1, 0))
+#define READY(s)                                                                                                  \
+  (1 <= (s)->count <= 3 && SPOT(s, 0) && ((s)->count == 3 || (IN_ORDER(s) && SQUARE(s, 0))) &&                    \
+   ((s)->count != 2 || (EDGED(s) && foot3(SLOT(s, 0), SLOT(s, 1)))) &&                                            \
+   ((s)->count != 3 || (SPOT(s, 1) && SPOT(s, 2) && SPAN(s, 0, 1) && SPAN(s, 0, 2) && SPAN(s, 1, 2) && FACE(s) && \
+                        OF3(inside3, s, 0, 1, 2))))
+
+/*@ requires \valid_read(s) && READY(s);
+    requires \valid(out) && \separated(s, out);
+    assigns *out;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 0 && s->count == 1 ==> in_ball(SLOT(s, 0), 0);
+    ensures \result == 0 && s->count == 2 ==> on_edge3(SLOT(s, 0), SLOT(s, 1)); */
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_search_direction *out);
+
+/*@ requires \valid_read(s) && i <= 3 && j <= 3 && k <= 3 && SPOT(s, i) && SPOT(s, j) && SPOT(s, k);
+    assigns \nothing;
+    ensures \result == SIGN(OF3(volume3, s, i, j, k)); */
+static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k);
+
+#define ENCLOSES(s, n)                                                                   \
+  ((n != 1 || in_ball(SLOT(s, 0), 0)) && (n != 2 || on_edge3(SLOT(s, 0), SLOT(s, 1))) && \
+   (n != 3 || OF3(on_face3, s, 0, 1, 2)) &&                                              \
+   (n != 4 || in_tetrahedron(SLOT(s, 0), SLOT(s, 1), SLOT(s, 2), SLOT(s, 3))))
+
+/*@ requires \valid(s) && 1 <= n <= 4 && SPOT(s, 0);
+    requires n > 1 ==> SPOT(s, 1) && SPAN(s, 0, 1);
+    requires n > 2 ==> SPOT(s, 2) && SPAN(s, 0, 2) && SPAN(s, 1, 2);
+    requires n > 3 ==> SPOT(s, 3);
+    assigns s->toward[0 .. 3][0 .. 3], s->normal, s->order[0 .. 3], s->count;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> ENCLOSES(s, n); */
+bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
+
+/*@ requires \valid(it) && 0 <= it->simplex.count <= 3 && IN_ORDER(&it->simplex) && FRAME(it);
+    assigns it->simplex.slot[it->simplex.count];
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> named3(AT(it, Old), a, b, SLOT(&it->simplex, \old(it->simplex.count)));
+    ensures \result == 1 ==> reach3(\old(it->delta.x), \old(it->delta.y), \old(it->delta.z),
+      SLOT(&it->simplex, \old(it->simplex.count)));
+    ensures it->simplex.count != 0 ==> KEPT(&it->simplex, 0);
+    ensures it->simplex.count != 1 ==> KEPT(&it->simplex, 1);
+    ensures it->simplex.count != 2 ==> KEPT(&it->simplex, 2); */
+bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b);
+
+#define NEARS(s, n, r)                                                                        \
+  ((n != 1 || in_ball(SLOT(s, 0), r)) && (n != 2 || near_edge3(SLOT(s, 0), SLOT(s, 1), r)) && \
+   (n != 3 || near_face3(SLOT(s, 0), SLOT(s, 1), SLOT(s, 2), r)))
+
+/*@ requires \valid_read(it) && 0 <= it->radius && READY(&it->simplex);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> NEARS(&it->simplex, it->simplex.count, it->radius); */
 bool gjk_iteration_near(const gjk_iteration *it);
+
+#define CLAIM(it, c) (\valid_read(c) && \separated(it, c))
+
+/*@ requires FRAME(it) && CLAIM(it, certificate) && certificate->count <= 4;
+    assigns it->simplex;
+    ensures \result == 0 || \result == 1;
+    ensures it->radius == \old(it->radius);
+    ensures \result == 1 && certificate->count > 0 ==> NAMED3(it, certificate, 0, Old);
+    ensures \result == 1 && certificate->count > 1 ==> NAMED3(it, certificate, 1, Old) && SPAN(&it->simplex, 0, 1);
+    ensures \result == 1 && certificate->count > 2 ==> NAMED3(it, certificate, 2, Old) && SPAN(&it->simplex, 0, 2) &&
+      SPAN(&it->simplex, 1, 2);
+    ensures \result == 1 && certificate->count > 3 ==> NAMED3(it, certificate, 3, Old); */
+static bool load(gjk_iteration *it, const gjk_certificate *certificate);
+
+/*@ requires FRAME(it) && CLAIM(it, certificate);
+    assigns it->simplex;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> enclosing3(AT(it, Old)); */
+static bool is_enclosing(gjk_iteration *it, const gjk_certificate *certificate);
+
+/*@ requires FRAME(it) && CLAIM(it, certificate);
+    assigns it->simplex;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> near3(AT(it, Old), \old(it->radius)); */
+static bool proves_near(gjk_iteration *it, const gjk_certificate *certificate);
+
+/*@ requires FRAME(it) && CLAIM(it, certificate);
+    assigns it->simplex;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> reached3(AT(it, Old), \old(it->radius)); */
+static bool is_together(gjk_iteration *it, const gjk_certificate *certificate);
+
+// Not looked at here: what follows where the feature is the nearest one.
+/*@ requires \valid(out) && \separated(s, out);
+    assigns *out; */
+void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out);
+/*@ assigns *direction; */
+static bool is_support(const gjk_iteration *it, const gjk_certificate *certificate, gjk_direction *direction);
+
+/*@ requires FRAME(it) && CLAIM(it, certificate);
+    assigns it->simplex;
+    ensures \result == 0 || \result == 1;
+    ensures it->radius == \old(it->radius);
+    ensures \result == 1 ==> READY(&it->simplex); */
+static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate);
 
 /*@ predicate separated_by3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer r) =
       \exists integer dx, dy, dz; all_beyond3(a, b, x, y, z, dx, dy, dz, r); */
 
-/*@ requires \valid(it) && SOLID(it->a) && SOLID(it->b) && NEAR(it->a, it->b) && 0 <= radius;
-    requires \valid_read(certificate) && \separated(it, certificate) && \separated(it, it->a) && \separated(it, it->b);
+/*@ requires FRAME(it) && CLAIM(it, certificate) && NEAR(it->a, it->b) && 0 <= radius;
     assigns it->simplex;
     ensures \result == 1 && certificate->proof == GJK_PROOF_DIRECTION ==>
       separated_by3(it->a, it->b, APART(it->a, it->b), radius); */
@@ -132,16 +530,18 @@ static bool longer_than(const gjk_long3 *v, unsigned n, int64_t r);
     ensures \result == 0 ==> in_ball(XYZ(*delta), 0x40000000); */
 static int far_shift(const gjk_long3 *delta);
 
-/*@ assigns \nothing; */
+/*@ assigns \nothing;
+    ensures shift == 0 && -0x80000000 <= difference <= 0x7fffffff ==> \result == difference; */
 static int32_t far_component(int64_t difference, int shift);
 
-#define ROUND(it, c) (\valid_read(c) && \separated(it, c) && 0 <= (c)->core_radius <= 0x10000000)
+#define ROUND(it, c) (\valid_read(c) && \separated(it, c) && 1 <= (c)->core_radius <= 0x10000000)
 
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
     assigns it->shift, it->delta, it->radius;
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> SPHERES(it->a, it->b, radius);
-    ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b); */
+    ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
+    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift)); */
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
 // Taken as given: provers do not see what bits say of sizes.
@@ -149,15 +549,12 @@ bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
     assigns it->shift, it->delta, it->radius;
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> SPHERES(it->a, it->b, radius);
-    ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b); */
+    ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
+    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift)); */
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius);
 
 /*@ assigns \nothing; */
 static inline bool gjk_goal_separates(gjk_goal goal);
-
-/*@ requires \valid(s);
-    assigns *s; */
-void gjk_simplex_clear(gjk_simplex *s);
 
 /*@ requires \valid_read(it);
     assigns \nothing;
@@ -177,16 +574,18 @@ static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collide
     ensures \result == 0 || \result == 1;
     ensures spheres: \result == 0 ==> SPHERES(a, b, radius);
     ensures \result == 1 ==> it->a == a && it->b == b;
-    ensures \result == 1 && it->shift >= 0 ==> NEAR(a, b);
+    ensures \result == 1 && it->shift >= 0 ==> NEAR(a, b) && it->shift <= 29 && FRAMED(it);
+    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
     ensures \result == 1 && it->stalls == \null ==> a->shape->type->stalls == \null && b->shape->type->stalls == \null; */
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
 
-// What a checked "no" means for the vertices; hull.v goes on from there.
+// What a checked decision means for the vertices; solid.v goes on from there.
 /*@ requires solid(a) && solid(b) && \valid_read(decision);
     assigns \nothing;
     ensures no: \result == GJK_OK && decision->yes == 0 && decision->certificate.proof == GJK_PROOF_DIRECTION ==>
       SPHERES(a, b, RADII(a, b) + distance) || separated_by3(a, b, APART(a, b), RADII(a, b) + distance);
+    ensures yes: \result == GJK_OK && decision->yes != 0 ==> together3(a, b, APART(a, b), RADII(a, b) + distance);
     ensures \result == GJK_OK ==> 0 <= distance; */
 gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance,
                               const gjk_decision *decision);
