@@ -266,7 +266,9 @@ set_up() {
       sources=$(echo src/query/*.c | sed 's|src/query/gjk_contacts[.]c||')
       room arith root unit vector wide
       models='simplex iteration search witness box_sat facet epa'
-      set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
+      levels=$QUERY_LEVELS
+      [ "$instance" != PENETRATION ] || levels=$(echo "$levels" | sed 's/gjk_penetration:500/gjk_penetration:50/')
+      set -- "$1" -eva-slevel 50 -eva-slevel-function "$levels" -eva-interprocedural-splits \
         -eva-partition-value facet_is_found
       ;;
     iteration)
