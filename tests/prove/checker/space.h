@@ -1,4 +1,4 @@
-// Contracts of the decision checker of space, where it says that shapes are apart by spheres or by a direction.
+// Contracts of the decision checker of space, but for shapes that are apart by a nearest feature.
 #ifndef PROVE_CHECKER_SPACE_H
 #define PROVE_CHECKER_SPACE_H
 
@@ -13,6 +13,26 @@
 #define NEAR(a, b) in_ball(APART(a, b), 0x40000000)
 #define SPHERES(a, b, radius) spheres_apart(APART(a, b), (a)->core_radius + (b)->core_radius + (radius))
 #define XYZ(v) (v).x, (v).y, (v).z
+
+#include "gjk/check.h"
+
+// Vertex i of a collider, relative to its centre, and how many there are.
+/*@ axiomatic corners {
+      logic integer px(gjk_collider *c, integer i) reads \nothing;
+      logic integer py(gjk_collider *c, integer i) reads \nothing;
+      logic integer pz(gjk_collider *c, integer i) reads \nothing;
+      logic integer corners(gjk_collider *c) reads \nothing;
+    } */
+
+// What holds of each vertex of A - B.
+/*@ predicate behind3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z,
+        integer dx, integer dy, integer dz, integer h) = \forall integer i, j; 0 <= i < corners(a) && 0 <= j < corners(b) ==>
+      behind_one3(dx, dy, dz, x, y, z, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), h);
+    predicate all_beyond3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z,
+        integer dx, integer dy, integer dz, integer r) = \forall integer i, j; 0 <= i < corners(a) && 0 <= j < corners(b) ==>
+      beyond_one3(dx, dy, dz, x, y, z, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), r); */
+/*@ lemma all_beyond3: \forall gjk_collider *a, *b, integer x, y, z, dx, dy, dz, h, r;
+      behind3(a, b, x, y, z, dx, dy, dz, h) && clear3(dx, dy, dz, h, r) ==> all_beyond3(a, b, x, y, z, dx, dy, dz, r); */
 
 // Sizes of edges and products.
 /*@ lemma difference_square: \forall integer x, u; (u - x) * (u - x) <= 2 * (u * u) + 2 * (x * x);
@@ -80,7 +100,6 @@
     lemma area_small: \forall integer x, y, z, u, v, w, s, t, q;
       span3(x, y, z, u, v, w) && span3(x, y, z, s, t, q) ==> area_small(x, y, z, u, v, w, s, t, q); */
 
-#include "gjk/check.h"
 #include "src/arith/gjk_vector.h"
 
 // 2^n.
@@ -92,14 +111,6 @@
     } */
 
 #include "src/gjk/gjk_frame.h"
-
-// Vertex i of a collider, relative to its centre, and how many there are.
-/*@ axiomatic corners {
-      logic integer px(gjk_collider *c, integer i) reads \nothing;
-      logic integer py(gjk_collider *c, integer i) reads \nothing;
-      logic integer pz(gjk_collider *c, integer i) reads \nothing;
-      logic integer corners(gjk_collider *c) reads \nothing;
-    } */
 
 // Stands for the class's vertex function.
 /*@ requires \valid(offset) && \valid_read(c) && \separated(offset, c);
@@ -203,16 +214,6 @@ static inline uint32_t gjk_norm1(gjk_vec3 v);
     ensures \forall integer i; 0 <= i < corners(c) ==> dot3(px(c, i), py(c, i), pz(c, i), XYZ(*d)) <= \result;
     ensures -EXTENT <= \result <= EXTENT; */
 static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d);
-
-// What holds of each vertex of A - B.
-/*@ predicate behind3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z,
-        integer dx, integer dy, integer dz, integer h) = \forall integer i, j; 0 <= i < corners(a) && 0 <= j < corners(b) ==>
-      behind_one3(dx, dy, dz, x, y, z, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), h);
-    predicate all_beyond3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z,
-        integer dx, integer dy, integer dz, integer r) = \forall integer i, j; 0 <= i < corners(a) && 0 <= j < corners(b) ==>
-      beyond_one3(dx, dy, dz, x, y, z, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), r); */
-/*@ lemma all_beyond3: \forall gjk_collider *a, *b, integer x, y, z, dx, dy, dz, h, r;
-      behind3(a, b, x, y, z, dx, dy, dz, h) && clear3(dx, dy, dz, h, r) ==> all_beyond3(a, b, x, y, z, dx, dy, dz, r); */
 
 /*@ requires \valid_read(it) && SOLID(it->a) && SOLID(it->b) && NEAR(it->a, it->b);
     requires \valid_read(direction) && 0 <= radius;
