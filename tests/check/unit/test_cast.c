@@ -95,7 +95,7 @@ static const row rows[] = {
     {"chip along a plate's plane", &plate, &chip, {0, 310, 0}, {0, -90, 0}, HIT, ONE / 2, {0, 110, 0}, NONE},
     {"chip an LSB above it", &plate, &chip, {0, 310, 1}, {0, -90, 1}, MISS, 0, NONE, NONE},
     {"chip onto a plate", &plate, &chip, {3, 4, 8}, {3, 4, -8}, HIT, ONE / 2, {3, 4, 0}, Z_UP},
-    {"ray away from a wedge's corner", &wedge, &point, {0, -2, 0}, {4, -2, 0}, MISS, 0, {0, 0, 0}, {0, 0, 0}},
+    {"ray away from a wedge's corner", &wedge, &point, {0, -2, 0}, {4, -2, 0}, MISS, 0, NONE, NONE},
     {"box face on face", &box, &small_box, {310, 0, 0}, {-90, 0, 0}, HIT, ONE / 2, {110, 0, 0}, X_UP},
     {"box along a face, touching",
      &box,

@@ -1,5 +1,6 @@
 // Hulls: statuses, every dimension, faces for shapes, point sets that break builders with tolerances, as many points as fit,
 // every size of workspace, and the check. test_hull_exact.c proves hulls of random families.
+#include "filled.h"
 #include "hull_points.h"
 
 #include "gjk/collider.h"
@@ -254,15 +255,15 @@ static void test_workspaces(void) {
         hull_points_add(&p, x, y, z);
       }
     }
-    memset(workspace, 0xA5, sizeof workspace);
+    memset(workspace, POISON, sizeof workspace);
     hull.vertices = 4711;
     hull.faces = 4712;
     for (size_t bytes = 0; bytes < need; bytes++) {
       CHECK(gjk_hull_build(p.point, count, workspace, bytes, &hull) == GJK_ERROR_CAPACITY);
     }
-    CHECK(hull.vertices == 4711 && hull.faces == 4712 && workspace[0] == UINT32_C(0xA5A5A5A5));
+    CHECK(hull.vertices == 4711 && hull.faces == 4712 && is_untouched(workspace, sizeof workspace));
     CHECK(gjk_hull_build(p.point, count, workspace, need, &hull) == GJK_OK);
-    CHECK(workspace[need / 4] == UINT32_C(0xA5A5A5A5));
+    CHECK(is_untouched(workspace + need / 4, sizeof workspace - need));
   }
 }
 

@@ -5,11 +5,10 @@
 //   direction d of a certificate, d x t          < 2^31, 2^65
 //   n = (w_1 - w_0) x (w_2 - w_0)                < 2^62
 //   n . w, n . t, det(t, w_i, w_j)               < 2^101
-#include <stdarg.h>
-#include <stdio.h>
 
 #include "cast_claim.h"
 #include "gjk/intersect.h"
+#include "refuse.h"
 
 typedef struct cast_judge {
   const gjk_collider *a, *b;
@@ -21,14 +20,6 @@ typedef struct cast_judge {
   char *why;
   size_t size;
 } cast_judge;
-
-static bool refuse(cast_judge *j, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(j->why, j->size, format, arguments);
-  va_end(arguments);
-  return false;
-}
 
 static void cross(const exact_wide p[3], const exact_wide q[3], exact_wide out[3]) {
   for (int i = 0; i < 3; i++) {
@@ -66,11 +57,11 @@ static exact_wide reach(const cast_judge *j) {
 static bool load(cast_judge *j, const gjk_cast_certificate *certificate) {
   j->count = certificate->count;
   if (j->count > 3) {
-    return refuse(j, "%u pairs", j->count);
+    return refuse(j->why, j->size, "%u pairs", j->count);
   }
   for (unsigned i = 0; i < j->count; i++) {
     if (certificate->a[i] >= j->count_a || certificate->b[i] >= j->count_b) {
-      return refuse(j, "no vertex pair %u %u", certificate->a[i], certificate->b[i]);
+      return refuse(j->why, j->size, "no vertex pair %u %u", certificate->a[i], certificate->b[i]);
     }
     const exact_point p = exact_vertex(j->a, certificate->a[i]), q = exact_vertex(j->b, certificate->b[i]);
     j->w[i] = exact_subtract(&p, &q);
@@ -92,7 +83,7 @@ static bool set_normal(cast_judge *j, const gjk_cast_certificate *certificate) {
     j->n[1] = d->y;
     j->n[2] = d->z;
   }
-  return j->count > 0 || refuse(j, "no pairs");
+  return j->count > 0 || refuse(j->why, j->size, "no pairs");
 }
 
 // Is the product of the vectors' components zero, and their dot product at most 0? The components are below 2^67.
@@ -139,20 +130,21 @@ static bool is_facet(cast_judge *j, const gjk_cast_result *r) {
   const exact_wide height = dot(j->n, &j->w[0]), speed = dot(j->n, &j->way);
   for (unsigned i = 1; i < j->count; i++) {
     if (dot(j->n, &j->w[i]) != height) {
-      return refuse(j, "the pairs are not in the plane");
+      return refuse(j->why, j->size, "the pairs are not in the plane");
     }
   }
   if (reach(j) != height) {
-    return refuse(j, "a vertex lies beyond the plane");
+    return refuse(j->why, j->size, "a vertex lies beyond the plane");
   }
   if (speed >= 0 || height >= 0 || height < speed) {
-    return refuse(j, "the way does not cross the plane");
+    return refuse(j->why, j->size, "the way does not cross the plane");
   }
   if (!passes(j)) {
-    return refuse(j, "the way passes beside the pairs");
+    return refuse(j->why, j->size, "the way passes beside the pairs");
   }
   const gjk_q30 fraction = exact_fraction_floor(-height, -speed);
-  return fraction == r->fraction || refuse(j, "fraction %ld, the plane's is %ld", (long)r->fraction, (long)fraction);
+  return fraction == r->fraction ||
+         refuse(j->why, j->size, "fraction %ld, the plane's is %ld", (long)r->fraction, (long)fraction);
 }
 
 // All of A - B lies behind the plane across d x way through the way; (1, 0, 0) stands for a way of 0.
@@ -162,7 +154,7 @@ static bool is_beside(cast_judge *j, const gjk_cast_certificate *certificate) {
   widen(&j->way, t);
   t[0] = t[0] == 0 && t[1] == 0 && t[2] == 0 ? 1 : t[0];
   cross(d, t, j->n);
-  return reach(j) < 0 || refuse(j, "the way is not beside");
+  return reach(j) < 0 || refuse(j->why, j->size, "the way is not beside");
 }
 
 static bool is_short(cast_judge *j, const gjk_cast_certificate *certificate) {
@@ -170,7 +162,7 @@ static bool is_short(cast_judge *j, const gjk_cast_certificate *certificate) {
     return false;
   }
   const exact_wide most = reach(j);
-  return (most < 0 && most < dot(j->n, &j->way)) || refuse(j, "the way is not short");
+  return (most < 0 && most < dot(j->n, &j->way)) || refuse(j->why, j->size, "the way is not short");
 }
 
 // Are the centres more than the radii apart at every point of the way? The nearest point of the way is its start, its
@@ -182,18 +174,18 @@ static bool is_spheres(cast_judge *j) {
   exact_feature nearest;
   exact_feature_nearest(ends, 2, &nearest);
   return exact_feature_compare(&nearest, 2 * ((int64_t)j->a->core_radius + j->b->core_radius)) > 0 ||
-         refuse(j, "the spheres meet");
+         refuse(j->why, j->size, "the spheres meet");
 }
 
 // The library may find that they meet, as only its proof counts.
 static bool is_inside(cast_judge *j, const gjk_cast_result *r) {
   gjk_decision decision;
   if (r->fraction != 0) {
-    return refuse(j, "inside, but the fraction is %ld", (long)r->fraction);
+    return refuse(j->why, j->size, "inside, but the fraction is %ld", (long)r->fraction);
   }
   return (gjk_intersect(j->a, j->b, NULL, &decision) == GJK_OK && decision.yes &&
           exact_check_decision(j->a, j->b, 0, &decision, j->why, j->size)) ||
-         refuse(j, "not together at the start");
+         refuse(j->why, j->size, "not together at the start");
 }
 
 bool exact_check_cast_certificate(const gjk_collider *a, const gjk_collider *b, const gjk_cast_path *path,
@@ -204,7 +196,7 @@ bool exact_check_cast_certificate(const gjk_collider *a, const gjk_collider *b, 
   j.count_a = exact_vertex_count(a);
   j.count_b = exact_vertex_count(b);
   if (j.count_a == 0 || j.count_b == 0 || !exact_cast_is_in_range(a, b, path, &cast)) {
-    return refuse(&j, "no polytopes, or out of range");
+    return refuse(j.why, j.size, "no polytopes, or out of range");
   }
   j.way = cast.way;
   if (result->hit) {
@@ -215,6 +207,6 @@ bool exact_check_cast_certificate(const gjk_collider *a, const gjk_collider *b, 
     case GJK_CAST_PROOF_SPHERES: return is_spheres(&j);
     case GJK_CAST_PROOF_BESIDE: return is_beside(&j, certificate);
     case GJK_CAST_PROOF_SHORT: return is_short(&j, certificate);
-    default: return refuse(&j, "proof %u for a miss", certificate->proof);
+    default: return refuse(j.why, j.size, "proof %u for a miss", certificate->proof);
   }
 }
