@@ -178,13 +178,14 @@ judge() {
   echo $verdict
 }
 
-# work NUMBER: judges every second mutant of the list
+# work NUMBER: judges the mutants of the list that the other one has not taken
 work() {
   folder=$build/worker$1
   rm -rf "$folder"
   mkdir -p "$folder"
   cp -r "$build/src" "$folder/src"
-  awk -v first="$1" 'NR % 2 == first' "$build/left" | while IFS='	' read -r file number line change text; do
+  while IFS='	' read -r file number line change text; do
+    mkdir "$build/taken/$(basename "$file")-$number" 2>/dev/null || continue
     (cd "$build" && ./mutate apply "$file" "$number") >"$folder/$file"
     verdict=$(judge "$folder" "$file")
     key=$(awk -v file="$file" '$1 == file { print $2 }' "$build/codes")
@@ -193,7 +194,7 @@ work() {
     esac
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$key" "$verdict" "$file" "$number" "$line" "$change" "$text" >>"$results"
     cp "$build/$file" "$folder/$file"
-  done
+  done <"$build/left"
 }
 
 if ! have gcc; then
@@ -255,6 +256,8 @@ awk -F '\t' '
     }
     END { for (i = 1; i <= count; i++) print last[i] }' tests/check/mutate/equivalent.txt - >"$build/left"
 rm "$build/old"
+rm -rf "$build/taken"
+mkdir "$build/taken"
 echo "$sample of $(wc -l <"$build/all") mutants, seed $seed; $(wc -l <"$build/left") left to judge; $results grows"
 work 0 &
 work 1

@@ -209,6 +209,10 @@ static void check_faults(void) {
   t[1].corner[2] |= UINT32_C(1) << 31;
   CHECK(finds(&mesh, GJK_MESH_NUMBER_FAULT, &report) && report.edge == 2);
   t[1] = kept;
+  const gjk_mesh_triangle third = t[2];
+  t[2].corner[0] |= UINT32_C(1) << 30;
+  CHECK(finds(&mesh, GJK_MESH_NUMBER_FAULT, &report) && report.triangle == 2 && report.edge == 0);
+  t[2] = third;
   v[4].z = GJK_MESH_COORDINATE_MAX + 1;
   CHECK(finds(&mesh, GJK_MESH_COORDINATE, &report));
   v[4].z = GJK_RADIUS_MAX + 1;
