@@ -319,6 +319,7 @@ static void check_case(random_state *r, const cast_case *c) {
   memset(&out, 0, sizeof out);
   CHECK(gjk2_cast(a, b, &path, &out) == GJK_OK);
   tally.iterations_most = out.iterations > tally.iterations_most ? out.iterations : tally.iterations_most;
+  CHECK(out.certificate.proof != GJK2_CAST_PROOF_SPHERES || out.iterations == 0);
   if (radius == 0) {
     check_exact(c, &out);
   } else {
@@ -458,6 +459,89 @@ static void test_grazing(random_state *r) {
     cast_truth_of(&c.truth, c.t, &truth);
     grazing.hits += truth.hit;
     grazing.misses += !truth.hit;
+  }
+}
+
+static struct { unsigned long hits, misses; } closest;
+
+// floor(sqrt(square)). Pre: below 2^122.
+static int64_t root_of(plane_wide square) {
+  int64_t root = 0;
+  for (int bit = 60; bit >= 0; bit--) {
+    const int64_t more = root + (INT64_C(1) << bit);
+    root = (plane_wide)more * more <= square ? more : root;
+  }
+  return root;
+}
+
+// A place before the edge from p on with the outward normal n, where n . (place - p) = rise times n's divisor, and rise is the
+// last one within the radius or the first one beyond: at most an LSB / |n| apart.
+static plane_point before_edge(random_state *r, plane_point p, plane_point n, int64_t radius) {
+  int64_t x, y;
+  const int64_t divisor = bezout(n.x, n.y, &x, &y);
+  const plane_point m = {n.x / divisor, n.y / divisor};
+  const plane_wide square = (plane_wide)m.x * m.x + (plane_wide)m.y * m.y;
+  const plane_wide rise = root_of(radius * (plane_wide)radius * square) + random_below(r, 2);
+  plane_wide u = x * rise, v = y * rise;
+  const plane_wide along = m.x * v - m.y * u;
+  const plane_wide past = (along % square + square) % square + square * random_below(r, (uint32_t)divisor);
+  const plane_wide steps = (past - along) / square;
+  u += -m.y * steps;
+  v += m.x * steps;
+  const plane_point place = {p.x + (int64_t)u, p.y + (int64_t)v};
+  return place;
+}
+
+// A vertex that lies farthest along d.
+static plane_point outermost(const plane_truth *c, plane_point d) {
+  plane_point best = c->hull[0];
+  for (int i = 1; i < c->count; i++) {
+    const plane_point p = c->hull[i];
+    best = d.x * (p.x - best.x) + d.y * (p.y - best.y) > 0 ? p : best;
+  }
+  return best;
+}
+
+// Ways that end, or begin, where the gap is the margin, or as little more as the lattice allows: before an edge, or an LSB
+// aside of where a vertex is met.
+static void test_ends(random_state *r) {
+  static cast_case c;
+  static const int32_t sizes[] = {40, 200000, 60000000};
+  for (unsigned long i = 0; i < TRIALS / 4; i++) {
+    check_trial(i, print_case, &c);
+    const int32_t size = sizes[random_below(r, 3)];
+    const gjk2_vec centre = {0, 0};
+    place_small(r, size, centre, &c.pair[0]);
+    place_small(r, size, centre, &c.pair[1]);
+    c.moves_a = false;
+    c.margin = random_range(r, 1, 2 * size);
+    c.to_b = c.pair[1].pose.position;
+    finish_case(&c);
+    const int k = (int)random_below(r, (uint32_t)c.truth.count);
+    const plane_point p = c.truth.hull[k], q = c.truth.hull[(k + 1) % c.truth.count], n = {q.y - p.y, p.x - q.x};
+    const int side = random_below(r, 2) == 0 ? -1 : 1, upright = (int)random_below(r, 2);
+    const plane_point d = {upright ? 0 : side, upright ? side : 0}, tip = outermost(&c.truth, d);
+    const int aside = random_range(r, -1, 1);
+    plane_point place = {tip.x + d.x * c.margin + d.y * aside, tip.y + d.y * c.margin + d.x * aside};
+    const bool of_edge = c.truth.count > 1 && random_below(r, 4) != 0;
+    if (of_edge) {
+      place = before_edge(r, p, n, c.margin);
+    }
+    const gjk2_vec at = c.pair[1].pose.position, near = {at.x + (int32_t)place.x, at.y + (int32_t)place.y};
+    const int32_t far = 8 * size;
+    gjk2_vec away = {near.x + (n.x < 0 ? -1 : 1) * random_range(r, 0, far),
+                     near.y + (n.y < 0 ? -1 : 1) * random_range(r, 0, far)};
+    if (!of_edge && random_below(r, 2) == 0) {
+      *(upright ? &away.y : &away.x) = upright ? near.y : near.x;  // the line passes the vertex at the margin
+    }
+    const bool begins = random_below(r, 2) == 0;
+    c.pair[1].pose.position = begins ? near : away;
+    c.to_b = begins ? away : near;
+    finish_case(&c);
+    check_case(r, &c);
+    const bool hit = comes_within(&c.truth, c.t, c.margin);
+    closest.hits += hit;
+    closest.misses += !hit;
   }
 }
 
@@ -761,6 +845,24 @@ static void test_late_claim(void) {
   CHECK(gjk2_check_cast(&a, &b, &path, &claim) == GJK_ERROR_UNPROVEN);
 }
 
+// A circle ends less than 2^-24 LSB short of a segment's end, and as little aside of its foot: a direction that is rounded to
+// 2^-30 does not part them from the other end.
+static void test_exact_direction(void) {
+  for (int32_t length = 100000001; length < 200000000; length += 2345678) {
+    const gjk2_vec ends[2] = {{0, 0}, {length, -1}}, from = {-1, 3 - 2 * length}, to = {-1, 1 - length};
+    const gjk2_shape segment = GJK2_POLYGON(ends, 2), circle = GJK2_CIRCLE(length - 1);
+    const gjk2_cast_path path = {NULL, &to, 0};
+    gjk2_collider a = {0}, b = {0};
+    gjk2_pose pose = GJK2_POSE_IDENTITY;
+    gjk2_cast_result out;
+    CHECK(gjk2_collider_init(&a, &segment, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
+    pose.position = from;
+    CHECK(gjk2_collider_init(&b, &circle, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
+    CHECK(gjk2_cast(&a, &b, &path, &out) == GJK_OK && !out.hit);
+    CHECK(out.certificate.proof == GJK2_CAST_PROOF_SHORT && gjk2_check_cast(&a, &b, &path, &out) == GJK_OK);
+  }
+}
+
 // A support that reaches farther with each call: no search for a distance ends.
 static void growing_support(const void *user, const gjk2_vec *d, gjk2_vec *out) {
   static int32_t calls;
@@ -842,6 +944,7 @@ int main(void) {
   random_state r = random_seed(check_seed(SEED));
   test_random(&r);
   test_grazing(&r);
+  test_ends(&r);
   test_wide(&r);
   test_halves_and_rays(&r);
   test_curved(&r);
@@ -851,9 +954,12 @@ int main(void) {
   test_diagonal();
   test_long_pass(&r);
   test_late_claim();
+  test_exact_direction();
   test_open_margins();
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
+  printf("closest ends: %lu hits, %lu misses\n", closest.hits, closest.misses);
+  CHECK(closest.hits > TRIALS / 20 && closest.misses > TRIALS / 20);
   CHECK(grazing.hits > TRIALS / 20 && grazing.misses > TRIALS / 40);
   CHECK(wide.hits > TRIALS / 20 && wide.misses > TRIALS / 40);
   printf("exact: %lu hits, %lu misses; rounded: %lu, %lu; inside %lu; at most %lu iterations\n", tally.exact_hits,
