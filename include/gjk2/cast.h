@@ -56,7 +56,8 @@ typedef struct gjk2_cast_result {
 // path    read only; margin at least 0 (GJK_ERROR_NEGATIVE). RANGE: a centre leaves int32 on its way. Also RANGE: both
 //         move, and the way of one against the other is 2^32 LSB or longer along an axis.
 // out     the caller's.
-// Exact   points, segments, triangles, boxes, polygons and their forms with a convex radius: hit or miss always.
+// Exact   points, segments, triangles, boxes, polygons and their forms with a convex radius: hit or miss always. Only if
+//         margin and both bounding radii exceed 16384 units in all, it is as gjk2_within decides.
 //           without radius and margin   fraction is the exact quotient, rounded down. rest_a is the exact place to the
 //                                       nearest LSB. rest_b less rest_a is exact except for rounding along the normal.
 //                                       A coordinate along which the normal is 0 is rounded to the nearest LSB
@@ -86,7 +87,8 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
 // the way, the certificate is not checked.
 //
 // Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: a curved shape. With a
-//           radius or margin also: the way is 2^30 LSB or longer along an axis, or centres are as far apart.
+//           radius or margin also: the way is 2^30 LSB or longer along an axis, or centres are as far apart. If these
+//           and both bounding radii exceed 16384 units in all, a right result may be UNPROVEN.
 gjk_status gjk2_check_cast(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
                            const gjk2_cast_result *result);
 

@@ -188,20 +188,28 @@ static bool plane_comes_near(const gjk2_way *way, bool early, bool late, gjk_q16
   return plane_proves_slope(way, at_a, &at_b, true, &slope) && slope >= 0;
 }
 
+// By how much less than another direction n may prove: bounds are off by radius / 2^29 of gap (gjk2_cast_bound), and
+// gjk2_advance.c keeps the later fraction of two that are proven; where a step of it is longer than half an LSB, one step more.
+//   2 radius < 2^32, an LSB of gap is 2^30 or less of the fraction:  below 2^62
+static int64_t plane_slack(const gjk2_way *way, const gjk2_rate *rate, int64_t radius) {
+  const bool slow = rate->length >= rate->closing;
+  bool exact;
+  const gjk_q30 lsb = slow ? GJK_Q30_ONE : gjk2_ratio((uint64_t)rate->length, (uint64_t)rate->closing, &exact);
+  const int64_t step = gjk2_norm1(way->d) > UINT32_C(1) << 29 ? 1 : 0;  // d is the way: it is not wide
+  return (int64_t)(gjk_umul32((uint32_t)radius << 1, (uint32_t)lsb) >> 30) + step;
+}
+
 // Step 4: is there no contact before the fraction, by n, and at most 2 LSB of gap at it? A place is rounded by up to 0.71
-// LSB to be measured, and its distance by 1/2. If a step of fraction is longer than half an LSB, the direction may prove one
-// less: gjk2_advance.c keeps the later fraction of two that are proven.
+// LSB to be measured, and its distance by 1/2.
 static bool plane_stops_at(const gjk2_way *way, gjk2_vec n, int64_t radius, gjk_q16 margin, gjk_q30 fraction) {
   gjk2_collider moved, at_b;
   gjk2_distance_result gap;
+  gjk2_rate rate;
   int64_t most, ahead;
   gjk_q30 bound;
   if (fraction < 0 || fraction > GJK_Q30_ONE || !plane_along(way, n, &most, &ahead) ||
-      gjk2_cast_bound(way, n, most, radius, 0, &bound, NULL) != GJK2_BOUND_AT) {
-    return false;
-  }
-  const gjk_q30 step = gjk2_norm1(way->d) > UINT32_C(1) << 29 ? 1 : 0;  // d is the way: it is not wide
-  if (fraction - step > bound) {
+      gjk2_cast_bound(way, n, most, radius, 0, &bound, &rate) != GJK2_BOUND_AT ||
+      fraction - bound > plane_slack(way, &rate, radius)) {
     return false;
   }
   const gjk2_collider *at_a = gjk2_cast_places(way, fraction, &moved, &at_b);

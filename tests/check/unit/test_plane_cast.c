@@ -5,6 +5,9 @@
 #define SEED 2014
 #define TRIALS check_trials(40000)
 
+// LSB. By how much a distance may be off of centres more than 16384 units, and less than 32768, apart.
+#define FAR_ERROR 8
+
 typedef struct cast_case {
   plane_body pair[2];
   gjk2_vec to_a, to_b;
@@ -76,6 +79,10 @@ static void cast_truth_of(const plane_truth *c, plane_point t, cast_truth *out) 
 static int compare_from(plane_point o, plane_point p, plane_point q, int64_t twice) {
   const plane_point a = {p.x - o.x, p.y - o.y}, b = {q.x - o.x, q.y - o.y};
   return plane_compare_edge(a, b, twice);
+}
+
+static bool starts_within(const plane_truth *c, int64_t radius) {
+  return c->overlap || plane_compare_distance(c, 2 * radius) <= 0;
 }
 
 // Does the way come within radius of A - B? Pre: |t| <= 2^30.
@@ -225,16 +232,20 @@ static long double distance_at(const cast_case *c, long double s) {
   return inside ? -least : least;
 }
 
+// Are decisions exact? Centres of shapes whose bounding circles meet are at most 16384 units apart then.
+static bool is_near(const cast_case *c, int64_t radius) {
+  return radius + c->pair[0].collider.core_radius + c->pair[1].collider.core_radius <= INT32_C(1) << 30;
+}
+
 static void check_round(const cast_case *c, int64_t radius, const gjk2_cast_result *out) {
-  const bool hit = comes_within(&c->truth, c->t, radius);
-  CHECK(out->hit == hit);
-  if (!hit || !out->hit) {
+  const int64_t off = is_near(c, radius) ? 0 : FAR_ERROR;
+  CHECK(out->hit ? comes_within(&c->truth, c->t, radius + off) : !comes_within(&c->truth, c->t, radius - off));
+  if (!out->hit) {
     tally.round_misses++;
     return;
   }
-  const bool inside = c->truth.overlap || plane_compare_distance(&c->truth, 2 * radius) <= 0;
-  CHECK(out->inside == inside);
-  if (inside) {
+  CHECK(out->inside ? starts_within(&c->truth, radius + off) : !starts_within(&c->truth, radius - off));
+  if (out->inside) {
     tally.inside++;
     CHECK(out->fraction == 0);
     CHECK(gjk2_equal(out->rest_a, c->pair[0].pose.position) && gjk2_equal(out->rest_b, c->pair[1].pose.position));
@@ -258,6 +269,10 @@ static void check_proof(random_state *r, const cast_case *c, const gjk2_cast_pat
   const gjk_status status = gjk2_check_cast(a, b, path, out);
   if (status == GJK_ERROR_UNSUPPORTED) {
     CHECK(radius > 0);
+    checks.unsupported++;
+    return;
+  }
+  if (status == GJK_ERROR_UNPROVEN && !is_near(c, radius)) {
     checks.unsupported++;
     return;
   }
@@ -330,9 +345,9 @@ static void check_case(random_state *r, const cast_case *c) {
   const gjk2_cast_path reversed = {&c->to_b, c->moves_a ? &c->to_a : NULL, c->margin};
   gjk2_cast_result back;
   CHECK(gjk2_cast(b, a, &reversed, &back) == GJK_OK);
-  CHECK(back.hit == out.hit);
-  if (out.hit) {
-    CHECK(back.inside == out.inside);
+  CHECK(back.hit == out.hit || !is_near(c, radius));
+  if (out.hit && back.hit) {
+    CHECK(!is_near(c, radius) || back.inside == out.inside);
     CHECK(radius > 0 || back.fraction == out.fraction);
   }
 }
@@ -514,7 +529,7 @@ static void test_ends(random_state *r) {
     place_small(r, size, centre, &c.pair[0]);
     place_small(r, size, centre, &c.pair[1]);
     c.moves_a = false;
-    c.margin = random_range(r, 1, 2 * size);
+    c.margin = random_range(r, 1, random_below(r, 4) == 0 ? INT32_C(1) << 30 : 2 * size);
     c.to_b = c.pair[1].pose.position;
     finish_case(&c);
     const int k = (int)random_below(r, (uint32_t)c.truth.count);
