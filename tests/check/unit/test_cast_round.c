@@ -3,6 +3,7 @@
 // Shapes whose edges lie along the axes have their gap in closed form, so that each fraction is judged in integers. Of any
 // others the accurate oracle bounds the gap at the fraction, and exact queries judge the places of rest.
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -274,6 +275,97 @@ static void test_grazing(void) {
       CHECK(cast_of(&point, &point, from, to, 5 * k).hit == (off <= 0));
     }
   }
+}
+
+// A corner of a triangle at the origin, and a place outside it: over the face, beside an edge or before the corner, at a distance
+// of radius or as little more as the lattice allows.
+typedef struct closest_end {
+  gjk_vec3 corner[3], place, outward;
+  gjk_q16 radius;
+  bool within;
+} closest_end;
+
+// floor(sqrt(square))
+static int64_t root_of(wide square) {
+  int64_t root = 0;
+  for (int bit = 60; bit >= 0; bit--) {
+    const int64_t more = root + (INT64_C(1) << bit);
+    root = (wide)more * more <= square ? more : root;
+  }
+  return root;
+}
+
+static void make_closest_end(random_state *random, closest_end *c) {
+  static const int32_t slopes[] = {2, 300, 8000}, radii[] = {40, 200000, 200000000};
+  const int32_t most = slopes[random_below(random, 3)], size = 64 + (int32_t)random_below(random, 130000000) / most / 8;
+  const int32_t m = random_range(random, 1, most), k = random_range(random, -most, most);
+  const int32_t aside = random_range(random, -1, 1);
+  const unsigned kind = random_below(random, 3);
+  memset(c, 0, sizeof *c);
+  c->radius = random_range(random, 1, radii[random_below(random, 3)]);
+  c->within = aside == 0;
+  if (kind == 0) {  // across n = (m, k, 1)
+    const int64_t square = (int64_t)m * m + (int64_t)k * k + 1;
+    const int64_t least = root_of((wide)c->radius * c->radius * square), height = least + random_range(random, 0, 1);
+    const int32_t u = (int32_t)(height * m / square) + size / 4, v = (int32_t)(height * k / square) + size / 4;
+    const gjk_vec3 to_x = {size, 0, -m * size}, to_y = {0, size, -k * size};
+    const gjk_vec3 place = {u, v, (int32_t)(height - (int64_t)m * u - (int64_t)k * v)}, outward = {m, k, 1};
+    c->corner[1] = to_x;
+    c->corner[2] = to_y;
+    c->place = place;
+    c->outward = outward;
+    c->within = (wide)height * height <= (wide)c->radius * c->radius * square;
+  } else if (kind == 1) {  // an edge along (m, 1, 0)
+    const gjk_vec3 along = {m * size, size, 0}, below = {0, 0, -size}, outward = {0, 0, 1};
+    const gjk_vec3 place = {size / 2 * m + aside, size / 2, c->radius};
+    c->corner[1] = along;
+    c->corner[2] = below;
+    c->place = place;
+    c->outward = outward;
+  } else {
+    const gjk_vec3 on = {m * size, size, k}, other = {size, -k, m}, place = {-c->radius, aside, 0},
+                   outward = {-1, 0, 0};
+    c->corner[1] = on;
+    c->corner[2] = other;
+    c->place = place;
+    c->outward = outward;
+  }
+}
+
+// Ways that end, or begin, at such a place: hit or miss by integers.
+static void test_closest_ends(void) {
+  random_state random = random_seed(check_seed(SEED));
+  const unsigned long trials = check_trials(20000);
+  unsigned long hits = 0, misses = 0;
+  for (unsigned long i = 0; i < trials; i++) {
+    closest_end c;
+    check_trial(i, NULL, NULL);
+    make_closest_end(&random, &c);
+    const uint32_t slope = (uint32_t)(abs(c.outward.x) + abs(c.outward.y) + 1);
+    const int32_t far = 1 + (int32_t)random_below(&random, random_below(&random, 2) == 0 ? 1000 : 100000000 / slope);
+    const gjk_vec3 away = {
+        c.place.x + c.outward.x * far + (c.outward.x == 0 ? random_range(&random, -far / 2, far / 2) : 0),
+        c.place.y + c.outward.y * far + (c.outward.y == 0 ? random_range(&random, -far / 2, far / 2) : 0),
+        c.place.z + c.outward.z * far};
+    const bool begins = random_below(&random, 4) == 0;
+    const gjk_shape triangle = GJK_TRIANGLE(c.corner);
+    const gjk_q16 own =
+        random_below(&random, 2) == 0 ? 0 : random_range(&random, 0, c.radius < GJK_RADIUS_MAX ? c.radius : 0);
+    const gjk_shape ball = GJK_SPHERE(own);
+    const gjk_vec3 from = begins ? c.place : away, to = begins ? away : c.place;
+    const gjk_cast_result r = cast_of(&triangle, &ball, from, to, c.radius - own);
+    CHECK_MSG(r.hit == c.within, "radius %ld, from (%ld, %ld, %ld)", (long)c.radius, (long)from.x, (long)from.y,
+              (long)from.z);
+    CHECK(r.inside == (r.hit && begins));
+    const gjk_collider a = placed(&triangle, origin), b = placed(&ball, from);
+    const gjk_cast_path back = {&to, NULL, c.radius - own};
+    gjk_cast_result reversed;
+    CHECK(gjk_cast(&b, &a, &back, &reversed) == GJK_OK && reversed.hit == r.hit);
+    hits += r.hit;
+    misses += !r.hit;
+  }
+  printf("closest ends: %lu hits, %lu misses\n", hits, misses);
+  CHECK(hits > trials / 5 && misses > trials / 5);
 }
 
 // A capsule and a rounded box over a face: parallel to it, an LSB above it and on it; down onto it.
@@ -582,6 +674,7 @@ static void test_standing(void) {
 int main(void) {
   test_standing();
   test_grazing();
+  test_closest_ends();
   test_sliding();
   test_lengths();
   test_large_margins();
