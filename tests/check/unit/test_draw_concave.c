@@ -153,6 +153,11 @@ static void check_refused(void) {
   CHECK(gjk_draw_scene_concave(&out, NULL, NULL, 9, GJK_DRAW_STATIC, &count) == GJK_ERROR_NULL);
   CHECK(gjk_draw_scene_concave(&out, &scene, &inverted, 9, GJK_DRAW_STATIC, &count) == GJK_ERROR_RANGE);
   CHECK(count == 77 && drawn.lines == 0);
+  for (int axis = 0; axis < 3; axis++) {  // a box may be flat
+    const gjk_aabb flat = {{0, 0, 0}, {axis != 0, axis != 1, axis != 2}};
+    CHECK(gjk_draw_parts(&nothing, parts, &flat, UINT32_MAX, GJK_DRAW_STATIC, NULL) == GJK_OK);
+    CHECK(gjk_draw_scene_concave(&nothing, &scene, &flat, UINT32_MAX, GJK_DRAW_STATIC, NULL) == GJK_OK);
+  }
   CHECK(gjk_draw_parts(&out, parts, NULL, UINT32_MAX, GJK_DRAW_STATIC, &count) == GJK_OK);
   CHECK(count == gjk_parts_count(parts) && drawn.lines > 0);  // no box: all
   CHECK(gjk_draw_parts(&nothing, parts, NULL, UINT32_MAX, GJK_DRAW_STATIC, NULL) == GJK_OK);

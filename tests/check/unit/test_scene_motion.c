@@ -138,6 +138,12 @@ static void check_nearest(const question *q, const gjk_scene_hit *expected, uint
     CHECK(memcmp(&result.rest_b, &first->rest_b, sizeof result.rest_b) == 0);
     CHECK(memcmp(&result.normal, &first->normal, sizeof result.normal) == 0);
     CHECK(result.certificate.proof == first->certificate.proof && result.certificate.count == first->certificate.count);
+    CHECK(result.certificate.count == 0 || result.certificate.count == 3 ||
+          memcmp(&result.certificate.direction, &first->certificate.direction, sizeof result.certificate.direction) ==
+              0);
+    for (int i = 0; i < result.certificate.count; i++) {
+      CHECK(result.certificate.a[i] == first->certificate.a[i] && result.certificate.b[i] == first->certificate.b[i]);
+    }
   }
 }
 
@@ -277,11 +283,16 @@ static void check_statuses(void) {
   CHECK(gjk_scene_query_within(s, &c, 0, NULL, NULL, NULL, 1, &count) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_within(s, &c, 0, NULL, NULL, &hit, 1, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_within(s, &c, INT32_MIN, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NEGATIVE);
-  far = c.position;
-  far.y = INT32_MAX;
-  CHECK(c.centre.y > c.position.y);
-  CHECK(gjk_scene_cast(s, &c, &far, 0, NULL, &hit, &result, &found) == GJK_ERROR_RANGE);
-  CHECK(gjk_scene_cast_all(s, &c, &far, 0, NULL, NULL, &hit, 1, &count) == GJK_ERROR_RANGE);
+  for (int axis = 0; axis < 3; axis++) {  // a centre that lies ahead of its position would leave int32
+    const gjk_vec3 there = {axis == 0 ? 999 : 0, axis == 1 ? 999 : 0, axis == 2 ? 999 : 0};
+    const gjk_vec3 corners[3] = {there, there, there};
+    const gjk_shape ahead = GJK_TRIANGLE(corners);
+    CHECK(gjk_collider_init(&c, &ahead, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    far = c.position;
+    *(axis == 0 ? &far.x : axis == 1 ? &far.y : &far.z) = INT32_MAX;
+    CHECK(gjk_scene_cast(s, &c, &far, 0, NULL, &hit, &result, &found) == GJK_ERROR_RANGE);
+    CHECK(gjk_scene_cast_all(s, &c, &far, 0, NULL, NULL, &hit, 1, &count) == GJK_ERROR_RANGE);
+  }
   CHECK(found && count == 7 && hit.part == 7);
 }
 
