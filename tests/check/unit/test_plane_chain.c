@@ -114,6 +114,19 @@ static bool is_of_surface(const gjk2_chain *chain, const gjk2_chain_contact *c) 
          (long double)cross(d, to) >= -slack * hypotl(to.x, to.y);
 }
 
+// Is each point on the body opposite the one on the ground, by its distance along the normal?
+static bool points_are_opposite(const gjk2_chain_contact *c) {
+  bool opposite = true;
+  for (int k = 0; k < c->manifold.count; k++) {
+    const gjk2_contact *p = &c->manifold.contact[k];
+    const long double x = ldexpl((long double)c->manifold.normal.x * p->distance, -30);
+    const long double y = ldexpl((long double)c->manifold.normal.y * p->distance, -30);
+    opposite = opposite && fabsl((long double)p->point_b.x - p->point_a.x - x) <= 4 &&
+               fabsl((long double)p->point_b.y - p->point_a.y - y) <= 4;
+  }
+  return opposite;
+}
+
 static const gjk2_vec hexagon[6] = {{30000, 0},  {15000, 26000},   {-15000, 26000},
                                     {-30000, 0}, {-15000, -26000}, {15000, -26000}};
 
@@ -210,7 +223,7 @@ static void slide(random_state *r) {
       CHECK_MSG(is_of_surface(&chain, &found[i]), "kind %d, segment %d: normal %d %d", (int)kind, found[i].segment,
                 (int)m->normal.x, (int)m->normal.y);
       CHECK(kind > SLOPE || m->feature_a == 256);
-      CHECK(m->count >= 1 && m->count <= 2);
+      CHECK(m->count >= 1 && m->count <= 2 && points_are_opposite(&found[i]));
       tally.faces += m->feature_a == 256;
       tally.joints += m->feature_a != 256;
       for (int k = 0; k < m->count; k++) {
@@ -286,7 +299,7 @@ static void check_loop(random_state *r, int32_t size) {
   for (int i = 0; i < count; i++) {
     const gjk2_vec n = {truth.normal.x, truth.normal.y};
     const gjk2_manifold *m = &found[i].manifold;
-    CHECK(is_of_surface(&chain, &found[i]));
+    CHECK(is_of_surface(&chain, &found[i]) && points_are_opposite(&found[i]));
     for (int k = 0; k < m->count; k++) {
       if (abs(m->contact[k].distance - truth.distance) <= 4) {
         const long double angle = angle_between(&m->normal, n);
@@ -416,7 +429,7 @@ static void check_any(random_state *r, int32_t size) {
     const plane_point p = placed(&chain, s), q = placed(&chain, s + 1), c = {body->centre.x, body->centre.y};
     const bool face = m->feature_a == 256;
     CHECK(i == 0 || (int)found[i - 1].segment <= s);
-    CHECK(is_of_surface(&chain, &found[i]));
+    CHECK(is_of_surface(&chain, &found[i]) && points_are_opposite(&found[i]));
     CHECK(!face || plane_cross(p, q, c) <= 0);
     const long double nx = m->normal.x, ny = m->normal.y;
     const long double reach = reach_of(body, face ? q.y - p.y : nx, face ? p.x - q.x : ny, m->feature_a == 1 ? q : p);
@@ -612,6 +625,7 @@ static void check_limits(void) {
   CHECK(gjk2_collider_move(&body, &beside) == GJK_OK);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 0, c, 4, &n) == GJK_OK);
   CHECK(n == 1 && c[0].segment == 0 && c[0].manifold.feature_a == 0 && is_of_surface(&chain, &c[0]));
+  CHECK(points_are_opposite(&c[0]));
   CHECK_MSG(abs(least_of(&c[0]) + 513) <= 3, "%d", (int)least_of(&c[0]));
 }
 
