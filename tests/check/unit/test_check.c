@@ -192,6 +192,12 @@ static void test_penetrations(void) {
     CHECK(penetrates(&a, &b, &r, wrong[i]) == GJK_ERROR_UNPROVEN);
   }
   gjk_penetration_result other = r;
+  // A point that slides along its face is as deep, but no longer opposite the other one.
+  for (gjk_q16 slid = -5; slid <= 5; slid++) {
+    other.point_a.x = r.point_a.x + slid;
+    CHECK(gjk_check_penetration(&a, &b, &other) == (abs(slid) <= 3 ? GJK_OK : GJK_ERROR_UNPROVEN));
+    other.point_a.x = r.point_a.x;
+  }
   for (uint8_t count = 0; count <= 5; count++) {
     other.certificate.count = count;
     CHECK(gjk_check_penetration(&a, &b, &other) == (count == 3 ? GJK_OK : GJK_ERROR_UNPROVEN));

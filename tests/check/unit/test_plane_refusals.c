@@ -228,6 +228,12 @@ static void check_forged_depths(void) {
   forged = right;
   forged.upper++;
   CHECK(gjk2_check_penetration(&a, &b, &forged) == GJK_ERROR_UNPROVEN);
+  // A point that slides along its face is as deep, but no longer opposite the other one.
+  for (gjk_q16 slid = -5; slid <= 5; slid++) {
+    forged = right;
+    forged.point_a.y += slid;
+    CHECK(gjk2_check_penetration(&a, &b, &forged) == (abs(slid) <= 3 ? GJK_OK : GJK_ERROR_UNPROVEN));
+  }
   // Every pair of vertices as the edge, with the depth of each: that of the lowest alone is right.
   unsigned accepted = 0;
   for (uint16_t i = 0; i < 256; i++) {
