@@ -36,11 +36,12 @@ static inline bool same_penetration(const gjk_penetration_result *a, const gjk_p
                                same_unit3(&a->normal, &b->normal)));
 }
 
-// But for rest_a and rest_b.
+// But for rest_a and rest_b. A miss has no more than iterations and certificate.
 static inline bool same_cast(const gjk_cast_result *a, const gjk_cast_result *b) {
-  return a->hit == b->hit && a->inside == b->inside && a->fraction == b->fraction && a->iterations == b->iterations &&
-         same_unit3(&a->normal, &b->normal) && a->certificate.proof == b->certificate.proof &&
-         (a->inside || (same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b)));
+  return a->hit == b->hit && a->iterations == b->iterations && a->certificate.proof == b->certificate.proof &&
+         a->certificate.count == b->certificate.count &&
+         (!a->hit || (a->inside == b->inside && a->fraction == b->fraction && same_unit3(&a->normal, &b->normal) &&
+                      (a->inside || (same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b)))));
 }
 
 static inline bool same_impact(const gjk_impact_result *a, const gjk_impact_result *b) {

@@ -228,10 +228,35 @@ static void write_surface(random_state *random) {
   }
 }
 
+// Writes the surface and asks. Returns whether it is sound; if not, *report says where.
+static bool check_surface(random_state *random, gjk_hull_report *report) {
+  write_surface(random);
+  const bool sound = set.flat ? covers_places_once() : covers_volume() == 1;
+  const gjk_hull_faces faces = {corner, end, (uint16_t)surface.faces};
+  CHECK(gjk_hull_check(vertex, (uint16_t)set.count, &faces, report) == GJK_OK);
+  CHECK_MSG((report->fault == GJK_HULL_SOUND) == sound, "%s: fault %d of face %d, corner %d", set.name, report->fault,
+            report->face, report->corner);
+  CHECK(sound || report->fault == GJK_HULL_LAYERS || (set.flat && report->fault >= GJK_HULL_OPEN));
+  return sound;
+}
+
+// A square of which all faces of both sides meet in the middle, so the first one does.
+static void test_middle(random_state *random) {
+  static const unsigned around[] = {0, 3, 6, 7, 8, 5, 2, 1};
+  gjk_hull_report report;
+  prepare(3);
+  memset(&surface, 0, sizeof surface);
+  for (unsigned i = 0; i < 8; i++) {
+    CHECK(add_triangle(4, around[i], around[(i + 1) % 8]) && add_triangle(4, around[(i + 1) % 8], around[i]));
+  }
+  CHECK(check_surface(random, &report));
+}
+
 int main(void) {
   random_state random = random_seed(check_seed(42));
   unsigned long once = 0, more = 0, flat_once = 0, flat_wrong = 0, torus = 0;
   const unsigned long trials = check_trials_least(TRIALS, 3000);
+  test_middle(&random);
   for (unsigned long trial = 0; trial < trials; trial++) {
     const unsigned kind = (unsigned)(trial * 6 / trials);
     if (trial == 0 || kind != (unsigned)((trial - 1) * 6 / trials)) {
@@ -246,14 +271,8 @@ int main(void) {
     if (!close_surface(&random, trial % 2 == 0)) {
       continue;
     }
-    write_surface(&random);
-    const bool sound = set.flat ? covers_places_once() : covers_volume() == 1;
-    const gjk_hull_faces faces = {corner, end, (uint16_t)surface.faces};
     gjk_hull_report report;
-    CHECK(gjk_hull_check(vertex, (uint16_t)set.count, &faces, &report) == GJK_OK);
-    CHECK_MSG((report.fault == GJK_HULL_SOUND) == sound, "%s: fault %d of face %d, corner %d", set.name, report.fault,
-              report.face, report.corner);
-    CHECK(sound || report.fault == GJK_HULL_LAYERS || (set.flat && report.fault >= GJK_HULL_OPEN));
+    const bool sound = check_surface(&random, &report);
     once += !set.flat && sound;
     more += !set.flat && !sound;
     flat_once += set.flat && sound;

@@ -138,6 +138,34 @@ static void test_room(uint64_t seed) {
   }
 }
 
+// Points from 0 to 10 along each axis, whose simple hull does not leave that. So it is the same where this is an end of int32.
+static void test_ends(void) {
+  static const int32_t some[3][3] = {{3, 8, 0}, {7, 5, 2}, {9, 9, 1}};
+  static gjk_vec3 middle[8];
+  for (unsigned k = 0; k < 7; k++) {
+    int32_t at[3] = {0, 0, 0};
+    if (k > 0) {
+      at[(k - 1) / 2] = k % 2 == 0 ? INT32_MIN : INT32_MAX - 10;
+    }
+    p.count = 0;
+    for (unsigned i = 0; i < 9; i++) {
+      const int32_t x = some[i / 3][i % 3], y = some[i / 3][(i + 1) % 3], z = some[i / 3][(i + 2) % 3];
+      hull_points_add(&p, at[0] + x, at[1] + y, at[2] + z);
+      hull_points_add(&p, at[0] + 10 - x, at[1] + 10 - y, at[2] + 10 - z);
+    }
+    check_trial(k, hull_points_print, &p);
+    hull_output_make(&p, &full);
+    check_simple(8);
+    for (unsigned i = 0; i < simple.count; i++) {
+      simple.point[i].x -= at[0];
+      simple.point[i].y -= at[1];
+      simple.point[i].z -= at[2];
+    }
+    CHECK(simple.count == 6 && (k == 0 || memcmp(middle, simple.point, 6 * sizeof middle[0]) == 0));
+    memcpy(middle, simple.point, 6 * sizeof middle[0]);
+  }
+}
+
 static void test_random(uint64_t seed) {
   random_state random = random_seed(seed + 1);
   unsigned same = 0, fewer = 0, flat = 0, boxed = 0;
@@ -296,6 +324,7 @@ int main(void) {
   test_cases();
   test_spheres(seed);
   test_room(seed);
+  test_ends();
   test_slivers();
   test_cones();
   test_random(seed);

@@ -1,9 +1,11 @@
 // Bodies of many parts, case by case: contacts over a seam, statuses of two bodies, what is ahead of a surface on either
 // side.
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "parts_answers.h"
 #include "src/parts/gjk_parts_class.h"
 
 static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
@@ -55,6 +57,31 @@ static void test_seam(void) {
   CHECK(gjk_parts_manifolds(&body, &above, 100, 4, NULL, joined, 4, &count) == GJK_OK && count == 2);
 }
 
+// A part on two others, or below two: of these the second one is turned, so that it meets with another face, and either may be
+// the deeper one, which gives the features.
+static void test_features(bool two_of_a, unsigned deeper) {
+  gjk_compound_part two[2] = {{&crate, {{-GJK_Q16(1), 0, 0}, {0, 0, 0, GJK_Q30_ONE}}},
+                              {&crate, {{GJK_Q16(1), 0, 0}, {GJK_Q30_ONE, 0, 0, 0}}}};
+  const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+  gjk_compound_node nodes[3];
+  gjk_compound of_two, of_one;
+  gjk_parts_manifold each[2];
+  gjk_manifold joined[2];
+  uint32_t separate;
+  unsigned count;
+  two[deeper].pose.position.z = two_of_a ? 10 : -10;
+  CHECK(gjk_compound_build(two, 2, nodes, 2, &of_two) == GJK_OK);
+  CHECK(gjk_compound_build(&one, 1, nodes + 2, 1, &of_one) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(two_of_a ? &of_two : &of_one);
+  gjk_parts above = GJK_PARTS_OF_COMPOUND(two_of_a ? &of_one : &of_two);
+  above.pose.position.z = GJK_Q16(2);
+  CHECK(gjk_parts_both_contacts(&body, &above, 100, 4, NULL, each, 2, &separate) == GJK_OK && separate == 2);
+  CHECK(gjk_parts_both_manifolds(&body, &above, 100, 4, NULL, joined, 2, &count) == GJK_OK && count == 1);
+  const gjk_manifold *deep = &each[deeper].manifold, *other = &each[1 - deeper].manifold;
+  CHECK(deep->feature_a != other->feature_a || deep->feature_b != other->feature_b);
+  CHECK(joined[0].feature_a == deep->feature_a && joined[0].feature_b == deep->feature_b);
+}
+
 static void test_statuses_of_both(void) {
   const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
   gjk_compound_node node;
@@ -70,8 +97,6 @@ static void test_statuses_of_both(void) {
   CHECK(gjk_parts_both_within(&a, &turned, -1, &pair, &decision) == GJK_ERROR_ROTATION);
   CHECK(gjk_parts_both_within(&a, &turned, 0, &pair, &decision) == GJK_ERROR_ROTATION);
   CHECK(gjk_parts_both_within(&turned, &b, 0, &pair, &decision) == GJK_ERROR_ROTATION);
-  CHECK(gjk_parts_both_within(&a, NULL, 0, &pair, &decision) == GJK_ERROR_NULL);
-  CHECK(gjk_parts_both_within(&a, &b, 0, &pair, NULL) == GJK_ERROR_NULL);
   CHECK(pair.a == 77 && pair.b == 77);
   CHECK(gjk_parts_both_within(&a, &b, GJK_Q16(1) - 1, &pair, &decision) == GJK_OK && !decision.yes);
   CHECK(pair.a == GJK_PARTS_NONE && pair.b == GJK_PARTS_NONE);
@@ -98,12 +123,6 @@ static void test_statuses_of_impacts(void) {
   CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &far, &part, &impact) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &behind, &part, &impact) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_parts_time_of_impact(&a, &out, &b, &still, &good, &part, &impact) == GJK_ERROR_RANGE);
-  CHECK(gjk_parts_time_of_impact(NULL, &still, &b, &still, &good, &part, &impact) == GJK_ERROR_NULL);
-  CHECK(gjk_parts_time_of_impact(&a, NULL, &b, &still, &good, &part, &impact) == GJK_ERROR_NULL);
-  CHECK(gjk_parts_time_of_impact(&a, &still, NULL, &still, &good, &part, &impact) == GJK_ERROR_NULL);
-  CHECK(gjk_parts_time_of_impact(&a, &still, &b, NULL, &good, &part, &impact) == GJK_ERROR_NULL);
-  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, NULL, &part, &impact) == GJK_ERROR_NULL);
-  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &good, &part, NULL) == GJK_ERROR_NULL);
   CHECK(part == 77);
   CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &good, &part, &impact) == GJK_OK && impact.overlap &&
         part == 0);
@@ -261,6 +280,66 @@ static void test_cast_limited(void) {
   CHECK(limited > 0);
 }
 
+// A shape that never settles: seen from the point (6, 0, 8) it is a spiral, of which each step is nearer there. Along the axes,
+// where boxes are measured, it reaches beyond that.
+static void spiral_support(const void *user, const gjk_vec3 *d, gjk_vec3 *out) {
+  const double turn = atan2(0.6 * d->z - 0.8 * d->x, 0.6 * d->x + 0.8 * d->z), unit = GJK_Q16(1);
+  const double to = (turn < -0.5 ? turn + 6.283185307179586 : turn) + 0.04, away = 10 * exp(-0.03 * to);
+  const double aside = away * sin(to), ahead = 10 - away * cos(to);
+  const bool along = (d->x != 0) + (d->y != 0) + (d->z != 0) == 1;
+  (void)user;
+  out->x = along ? d->x / 512 : (int32_t)(unit * (0.8 * aside + 0.6 * ahead));
+  out->y = along ? d->y / 512 : 0;
+  out->z = along ? d->z / 512 : (int32_t)(unit * (0.8 * ahead - 0.6 * aside));
+}
+
+// Such a shape and a crate beside the point that it winds around, in either order, as A against a ball there, or as B. The
+// distance is that of the nearer part, and bounded by the part that has not settled if that may be nearer. beyond: the crate is
+// nearer than both bounds, between them, or farther away.
+static void test_distance_limited(int beyond, unsigned spiral, bool as_b) {
+  static const gjk_shape whorl = GJK_CUSTOM(spiral_support, NULL, GJK_Q16(20));
+  const gjk_collider alone = at_height(&whorl, 0);
+  gjk_collider c = at_height(&ball, 0);
+  gjk_compound_part two[2] = {{&crate, GJK_POSE_IDENTITY}, {&crate, GJK_POSE_IDENTITY}};
+  const gjk_compound_part one = {&ball, {{GJK_Q16(6), 0, GJK_Q16(8)}, {0, 0, 0, GJK_Q30_ONE}}};
+  gjk_compound_node nodes[3];
+  gjk_compound of_two, of_one;
+  gjk_distance_result own, each[2], out;
+  gjk_status status[2];
+  gjk_parts_pair pair = {77, 77};
+  two[spiral].shape = &whorl;
+  CHECK(gjk_collider_pose(&c, &one.pose) == GJK_OK);
+  CHECK(gjk_distance(&alone, &c, NULL, &own) == GJK_ERROR_ITERATION_LIMIT && own.lower + 10 < own.upper);
+  two[1 - spiral].pose.position.x = GJK_Q16(7.5) + (own.lower + own.upper) / 2 + beyond * (own.upper - own.lower);
+  two[1 - spiral].pose.position.z = GJK_Q16(8);
+  CHECK(gjk_compound_build(two, 2, nodes, 2, &of_two) == GJK_OK);
+  CHECK(gjk_compound_build(&one, 1, nodes + 2, 1, &of_one) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(as_b ? &of_one : &of_two),
+                  b = GJK_PARTS_OF_COMPOUND(as_b ? &of_two : &of_one);
+  for (unsigned i = 0; i < 2; i++) {
+    gjk_parts_room room[2];
+    gjk_collider of_a, of_b;
+    CHECK(gjk_parts_place(&a, as_b ? 0 : i, &room[0], &of_a) == GJK_OK);
+    CHECK(gjk_parts_place(&b, as_b ? i : 0, &room[1], &of_b) == GJK_OK);
+    status[i] = gjk_distance(&of_a, &of_b, NULL, &each[i]);
+  }
+  CHECK(status[spiral] == GJK_ERROR_ITERATION_LIMIT && status[1 - spiral] == GJK_OK);
+  const unsigned nearest = each[1].distance < each[0].distance ? 1 : 0;
+  gjk_distance_result expected = each[nearest];
+  if (each[spiral].lower < expected.lower) {
+    expected.lower = each[spiral].lower;
+    expected.certificate.proof = GJK_PROOF_NONE;
+    expected.certificate.count = 0;
+  }
+  const gjk_status ends =
+      nearest == spiral || each[spiral].lower < expected.distance ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
+  CHECK(gjk_parts_both_distance(&a, &b, &pair, &out) == ends && same_distance(&out, &expected));
+  CHECK(pair.a == (as_b ? 0 : nearest) && pair.b == (as_b ? nearest : 0));
+  if (!as_b) {
+    CHECK(gjk_parts_distance(&a, &c, &pair.a, &out) == ends && same_distance(&out, &expected) && pair.a == nearest);
+  }
+}
+
 // A compound that is not as it was built: its reach is too small. Where a cast takes a part's centre beyond int32 it ends
 // with RANGE. Nothing is read of what it has not answered, which memory checkers see, and nothing is written.
 static void test_cast_beyond_reach(void) {
@@ -314,6 +393,12 @@ static void test_impact_beyond_reach(void) {
 
 int main(void) {
   test_seam();
+  for (unsigned i = 0; i < 4; i++) {
+    test_features(i < 2, i % 2);
+    for (int beyond = -1; beyond <= 1; beyond++) {
+      test_distance_limited(beyond, i / 2, i % 2 != 0);
+    }
+  }
   test_statuses_of_both();
   test_statuses_of_impacts();
   test_tolerance_far_away(GJK_Q16(4000));

@@ -1,5 +1,6 @@
 // Bodies of many parts whose data name parts that are not there: fields of holes alone, meshes with numbers of no vertex,
-// nodes with numbers of no part. Each query says so by its status, and leaves its outputs as they were.
+// nodes with numbers of no part. And arguments that are missing or not as they must be. Each query says so by its status, and
+// leaves its outputs as they were.
 #include <string.h>
 
 #include "check.h"
@@ -95,7 +96,133 @@ static void test_numbers(void) {
   check_refusals(&body);
 }
 
+// The arguments of a query that it may refuse, each a pointer, and queries that take some of them.
+enum { A, BODY_B, B, MOTION_A, MOTION_B, SETUP, PATH, FROM, TO, MANIFOLDS, COUNT, OUT, ARGUMENTS };
+
+// What they write.
+static union {
+  gjk_collider collider;
+  gjk_decision decision;
+  gjk_distance_result distance;
+  gjk_penetration_result depth;
+  gjk_cast_result cast;
+  gjk_impact_result impact;
+} out;
+static union {
+  gjk_parts_room room;
+  gjk_parts_manifold manifold;
+} room;
+static gjk_parts_pair numbers;
+static uint32_t count;
+
+#define ASK(name, ...)                            \
+  static gjk_status ask_##name(void *const p[]) { \
+    return gjk_parts_##name(__VA_ARGS__);         \
+  }
+ASK(place, p[A], 0, p[MANIFOLDS], p[OUT])
+ASK(intersect, p[A], p[B], &numbers.a, p[OUT])
+ASK(within, p[A], p[B], 5, &numbers.a, p[OUT])
+ASK(distance, p[A], p[B], &numbers.a, p[OUT])
+ASK(penetration, p[A], p[B], NULL, &numbers.a, p[OUT])
+ASK(contacts, p[A], p[B], 0, 4, NULL, p[MANIFOLDS], 1, p[COUNT])
+ASK(manifolds, p[A], p[B], 0, 4, NULL, p[MANIFOLDS], 1, p[COUNT])
+ASK(cast, p[A], p[B], p[PATH], &numbers.a, p[OUT])
+ASK(cast_ahead, p[A], p[B], p[PATH], &numbers.a, p[OUT])
+ASK(cast_ray, p[A], p[FROM], p[TO], &numbers.a, p[OUT])
+ASK(time_of_impact, p[A], p[MOTION_A], p[B], p[MOTION_B], p[SETUP], &numbers.a, p[OUT])
+ASK(impact_ahead, p[A], p[MOTION_A], p[B], p[MOTION_B], p[SETUP], &numbers.a, p[OUT])
+ASK(both_within, p[A], p[BODY_B], 5, &numbers, p[OUT])
+ASK(both_distance, p[A], p[BODY_B], &numbers, p[OUT])
+ASK(both_penetration, p[A], p[BODY_B], NULL, &numbers, p[OUT])
+ASK(both_contacts, p[A], p[BODY_B], 0, 4, NULL, p[MANIFOLDS], 1, p[COUNT])
+ASK(both_manifolds, p[A], p[BODY_B], 0, 4, NULL, p[MANIFOLDS], 1, p[COUNT])
+ASK(both_cast, p[A], p[BODY_B], p[PATH], &numbers, p[OUT])
+ASK(both_time_of_impact, p[A], p[MOTION_A], p[BODY_B], p[MOTION_B], p[SETUP], &numbers, p[OUT])
+
+// How many arguments a query takes, and whether the poses of its bodies are read: else motions have them.
+static const struct {
+  gjk_status (*ask)(void *const p[]);
+  unsigned takes;
+  bool posed;
+} queries[] = {{ask_place, 3, true},
+               {ask_intersect, 3, true},
+               {ask_within, 3, true},
+               {ask_distance, 3, true},
+               {ask_penetration, 3, true},
+               {ask_contacts, 4, true},
+               {ask_manifolds, 4, true},
+               {ask_cast, 4, true},
+               {ask_cast_ahead, 4, true},
+               {ask_cast_ray, 4, true},
+               {ask_time_of_impact, 6, false},
+               {ask_impact_ahead, 6, false},
+               {ask_both_within, 3, true},
+               {ask_both_distance, 3, true},
+               {ask_both_penetration, 3, true},
+               {ask_both_contacts, 4, true},
+               {ask_both_manifolds, 4, true},
+               {ask_both_cast, 4, true},
+               {ask_both_time_of_impact, 6, false}};
+
+// Asks with an argument in place of the usual one. Returns whether the query refuses it: it answers, or leaves its outputs as
+// they were and says why.
+static bool refuses(unsigned query, void *const usual[], unsigned argument, void *instead, gjk_status expected) {
+  void *p[ARGUMENTS];
+  memcpy(p, usual, sizeof p);
+  memset(&out, POISON, sizeof out);
+  memset(&count, POISON, sizeof count);
+  memset(&numbers, POISON, sizeof numbers);
+  p[argument] = instead;
+  const gjk_status status = queries[query].ask(p);
+  if (status == GJK_OK) {
+    return false;
+  }
+  CHECK_MSG(status == expected, "query %u, argument %u: %s", query, argument, gjk_status_name(status));
+  CHECK(is_untouched(&out, sizeof out) && is_untouched(&count, sizeof count) && is_untouched(&numbers, sizeof numbers));
+  return true;
+}
+
+// Each argument that a query takes missing in turn, or not as it must be.
+static void test_arguments(void) {
+  const gjk_compound_part one = {&ball, GJK_POSE_IDENTITY};
+  const gjk_compound nothing = {0};
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_collider b = placed(&ball), never = {0};
+  gjk_motion motion[2] = {still, still};
+  gjk_impact_setup setup = {0, GJK_PARTS_BOTH_TOLERANCE_MIN, 0};
+  gjk_cast_path path = {NULL, NULL, 0};
+  gjk_vec3 at[2] = {{0, 0, 0}, {0, 0, 0}};
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  gjk_parts body[2] = {GJK_PARTS_OF_COMPOUND(&compound), GJK_PARTS_OF_COMPOUND(&compound)};
+  void *const usual[ARGUMENTS] = {&body[0], &body[1], &b,     &motion[0], &motion[1], &setup,
+                                  &path,    &at[0],   &at[1], &room,      &count,     &out};
+  gjk_parts bad[5] = {body[0], body[0], body[0], body[0], body[0]};
+  const gjk_status expected[5] = {GJK_ERROR_NULL, GJK_ERROR_NULL, GJK_ERROR_EMPTY, GJK_ERROR_ROTATION, GJK_ERROR_RANGE};
+  bad[0].type = NULL;
+  bad[1].data = NULL;
+  bad[2].data = &nothing;
+  bad[3].pose.rotation.w = 0;
+  bad[4].pose.position.y = INT32_MAX;
+  for (unsigned query = 0; query < sizeof queries / sizeof queries[0]; query++) {
+    unsigned taken = 0;
+    for (unsigned argument = 0; argument < ARGUMENTS; argument++) {
+      taken += refuses(query, usual, argument, NULL, GJK_ERROR_NULL);
+    }
+    CHECK_MSG(taken == queries[query].takes, "query %u", query);
+    const bool takes_body = refuses(query, usual, BODY_B, NULL, GJK_ERROR_NULL),
+               takes_collider = refuses(query, usual, B, NULL, GJK_ERROR_NULL);
+    CHECK(refuses(query, usual, B, &never, GJK_ERROR_UNINITIALISED) == takes_collider);
+    for (unsigned i = 0; i < 5; i++) {
+      const bool read = i < 3 || queries[query].posed;
+      CHECK(refuses(query, usual, A, &bad[i], expected[i]) == read);
+      CHECK(refuses(query, usual, BODY_B, &bad[i], expected[i]) == (takes_body && read));
+    }
+  }
+}
+
 int main(void) {
+  test_arguments();
   test_holes();
   test_nodes();
   test_numbers();
