@@ -10,6 +10,11 @@
 // The test of the plane has included the plane's.
 #ifndef WORLD_OF_PLANE
 #include "gjk/probe.h"
+#define AXES 3
+#define TRIANGLE(corners) GJK_TRIANGLE(corners)
+#else
+#define AXES 2
+#define TRIANGLE(corners) GJK2_POLYGON(corners, 3)
 #endif
 
 #ifndef TEST_NAME
@@ -246,6 +251,18 @@ static void check_world(random_state *random, void *block, size_t bytes, const w
   }
 }
 
+static gjk_vec3 along_axis(int axis, int32_t length) {
+  gjk_vec3 v = {0};
+  switch (axis) {
+    case 0: v.x = length; break;
+    case 1: v.y = length; break;
+#ifndef WORLD_OF_PLANE
+    default: v.z = length; break;
+#endif
+  }
+  return v;
+}
+
 // What each call refuses, with outputs untouched.
 static void check_statuses(void) {
   const gjk_vec3 from = w.bodies[0].setup.pose.position;
@@ -283,13 +300,11 @@ static void check_statuses(void) {
   CHECK(gjk_scene_query_within(s, &c, 0, NULL, NULL, NULL, 1, &count) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_within(s, &c, 0, NULL, NULL, &hit, 1, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_within(s, &c, INT32_MIN, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NEGATIVE);
-  for (int axis = 0; axis < 3; axis++) {  // a centre that lies ahead of its position would leave int32
-    const gjk_vec3 there = {axis == 0 ? 999 : 0, axis == 1 ? 999 : 0, axis == 2 ? 999 : 0};
-    const gjk_vec3 corners[3] = {there, there, there};
-    const gjk_shape ahead = GJK_TRIANGLE(corners);
-    CHECK(gjk_collider_init(&c, &ahead, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
-    far = c.position;
-    *(axis == 0 ? &far.x : axis == 1 ? &far.y : &far.z) = INT32_MAX;
+  for (int axis = 0; axis < AXES; axis++) {  // a centre that lies ahead of its position would leave int32
+    const gjk_vec3 ahead = along_axis(axis, 999), corners[3] = {ahead, ahead, ahead};
+    const gjk_shape triangle = TRIANGLE(corners);
+    CHECK(gjk_collider_init(&c, &triangle, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    far = along_axis(axis, INT32_MAX);
     CHECK(gjk_scene_cast(s, &c, &far, 0, NULL, &hit, &result, &found) == GJK_ERROR_RANGE);
     CHECK(gjk_scene_cast_all(s, &c, &far, 0, NULL, NULL, &hit, 1, &count) == GJK_ERROR_RANGE);
   }
