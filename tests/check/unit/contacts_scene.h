@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 
 #define ONE GJK_Q16_ONE
 #define HALF (ONE / 2)
@@ -43,9 +44,7 @@ static inline gjk_pose turned(gjk_pose pose, const gjk_vec3 *axis, gjk_angle ang
 }
 
 static inline void place(const gjk_shape *shape, const gjk_pose *pose, gjk_collider *out) {
-  memset(out, 0, sizeof *out);
-  CHECK(gjk_collider_init(out, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(out, pose) == GJK_OK);
+  *out = posed(shape, pose);
 }
 
 static inline gjk_manifold meet(const gjk_shape *a, gjk_pose pose_a, const gjk_shape *b, gjk_pose pose_b,

@@ -5,6 +5,7 @@
 #include "exact/exact.h"
 #include "generate/generate.h"
 #include "generate/polytope.h"
+#include "placed.h"
 #include "reference/accurate.h"
 #include "reference/random_shape.h"
 
@@ -83,11 +84,8 @@ static void test_curved(void) {
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
     const gjk_pose pose = {{-5, 77, 900}, {0, 0, 0, GJK_Q30_ONE}};
     const gjk_vec3 h = known[i].half, p = pose.position;
-    gjk_collider c;
     gjk_aabb box;
-    memset(&c, 0, sizeof c);
-    CHECK(gjk_collider_init(&c, &known[i].shape, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(&known[i].shape, &pose);
     CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);
     const gjk_q16 excess[6] = {p.x - h.x - box.lower.x, p.y - h.y - box.lower.y, p.z - h.z - box.lower.z,
                                box.upper.x - p.x - h.x, box.upper.y - p.y - h.y, box.upper.z - p.z - h.z};

@@ -11,6 +11,7 @@
 #include "gjk/height_field.h"
 #include "gjk/mesh.h"
 #include "parts_answers.h"
+#include "placed.h"
 #include "random.h"
 
 #define TRIALS 600
@@ -206,7 +207,7 @@ static void make_machine(random_state *random, bool still) {
     gjk_pose pose = any_pose(random, size);
     pose.position.x += base.position.x;
     m.ball = ball;
-    CHECK(gjk_collider_init(&m.still, &m.ball, NULL, 0) == GJK_OK && gjk_collider_pose(&m.still, &pose) == GJK_OK);
+    m.still = posed(&m.ball, &pose);
     m.pieces[m.first[m.body_count]] = m.still;
     CHECK(gjk_arm_obstacles(&m.arm[0], &m.still, 1) == GJK_OK);
   }
@@ -345,12 +346,11 @@ static bool is_needed(uint32_t number, uint32_t count, const gjk_arm_edge_result
 static void box_at_ends(const gjk_arm_proof *p, unsigned part, gjk_aabb *out) {
   for (unsigned end = 0; end < 2; end++) {
     gjk_pose link, pose;
-    gjk_collider c = {0};
     gjk_aabb box;
     arm_truth_pose(&m.arm[0], m.from, m.to, (end == 0 ? p->from : p->to) / (double)GJK_Q30_ONE, m.parts[part].link,
                    &link);
     CHECK(gjk_pose_compose(&link, &m.parts[part].pose, &pose) == GJK_OK);
-    CHECK(gjk_collider_init(&c, m.parts[part].shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(m.parts[part].shape, &pose);
     CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);
     if (end == 0) {
       *out = box;

@@ -11,11 +11,6 @@
 #define SEED 14
 #define TRIALS ((int)check_trials(20000))
 
-static gjk_collider placed_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
-  const gjk_vec3 at = {x, y, z};
-  return placed(shape, at);
-}
-
 // Casts b to a place, checks the proof, and that a ray answers alike where b is a point.
 static gjk_cast_result cast(const gjk_collider *a, const gjk_collider *b, int32_t x, int32_t y, int32_t z) {
   const gjk_vec3 to = {x, y, z};

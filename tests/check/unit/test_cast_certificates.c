@@ -378,9 +378,7 @@ int main(int argc, char **argv) {
     CHECK(c.refused > total / 4);
     check_proofs(&c, total);
   }
-  case_pair_free(&c.pair);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.pair, &c.a, &c.b);
   exact_cast_free(&c.cast);
   exact_cast_free(&c.other);
   return check_done("cast_certificates");

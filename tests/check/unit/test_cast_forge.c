@@ -16,6 +16,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #define SEED 5150
 #define TRIALS check_trials(6000)
 #define AXES (SPACE ? 3 : 2)
@@ -106,9 +108,7 @@ static void make(random_state *random, trial *t) {
       CHECK(gjk_quat_normalize(&any, &pose.rotation) == GJK_OK);
     }
     t->pose[i] = pose;
-    memset(&t->collider[i], 0, sizeof t->collider[i]);
-    CHECK(gjk_collider_init(&t->collider[i], &t->shape[i], NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&t->collider[i], &pose) == GJK_OK);
+    t->collider[i] = posed(&t->shape[i], &pose);
     t->to[i] = flattened(spread(random, i == 0 ? size : 2 * size), axes);
   }
   const gjk_cast_path path = {random_below(random, 3) == 0 ? &t->to[0] : NULL, &t->to[1],
@@ -254,9 +254,8 @@ static void forge_fewer(random_state *random, const trial *t, bool rounded) {
       continue;
     }
     few.count = (uint16_t)(1 + random_below(random, CORNERS - 1));
-    memset(&pair[i], 0, sizeof pair[i]);
     memset(&claim, 0, sizeof claim);
-    CHECK(gjk_collider_init(&pair[i], &few, NULL, 0) == GJK_OK && gjk_collider_pose(&pair[i], &t->pose[i]) == GJK_OK);
+    pair[i] = posed(&few, &t->pose[i]);
     CHECK(gjk_cast(&pair[0], &pair[1], &t->path, &claim) == GJK_OK);
     if (claim.hit != t->result.hit || claim.inside != t->result.inside ||
         (!rounded && claim.fraction != t->result.fraction)) {

@@ -537,8 +537,7 @@ static void test_random(bool curved) {
     gjk_q16 margin;
     gjk_cast_result r;
     check_trial(i, case_show, &pair);
-    if (!random_cast(&random, curved, &pair, &to_a, &to_b, &margin) ||
-        case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK) {
+    if (!random_cast(&random, curved, &pair, &to_a, &to_b, &margin) || !case_pair_build(&pair, false, &a, &b)) {
       continue;
     }
     const gjk_cast_path path = {&to_a, &to_b, margin};
@@ -588,8 +587,6 @@ int main(void) {
   test_aligned();
   test_random(false);
   test_random(true);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("cast_round");
 }

@@ -93,8 +93,7 @@ static bool choose_radii(trial *t) {
   t->pair.a.convex_radius = random_below(&t->random, 3) == 0 ? 0 : first;
   t->pair.b.convex_radius = random_below(&t->random, 3) == 0 ? 0 : second;
   t->margin = sum - t->pair.a.convex_radius - t->pair.b.convex_radius;
-  return case_collider_build(&t->a, &t->pair.a, false) == GJK_OK &&
-         case_collider_build(&t->b, &t->pair.b, false) == GJK_OK && sweep(&t->b.collider, &t->way, &t->whole);
+  return case_pair_build(&t->pair, false, &t->a, &t->b) && sweep(&t->b.collider, &t->way, &t->whole);
 }
 
 // B's displacement at a fraction, in whole LSB: rounded to the nearest, or towards the start.
@@ -248,8 +247,7 @@ static void check_long(trial *t, unsigned long counts[3]) {
   exact_truth truth;
   gjk_cast_result r;
   gjk_cast_path path = case_path(&t->pair, 0);
-  if (case_collider_build(&t->a, &t->pair.a, false) != GJK_OK ||
-      case_collider_build(&t->b, &t->pair.b, false) != GJK_OK ||
+  if (!case_pair_build(&t->pair, false, &t->a, &t->b) ||
       !exact_cast_is_in_range(&t->a.collider, &t->b.collider, &path, &range)) {
     return;
   }
@@ -262,8 +260,7 @@ static void check_long(trial *t, unsigned long counts[3]) {
   t->pair.a.convex_radius = (gjk_q16)(sum / 2);
   t->pair.b.convex_radius = random_below(&t->random, 2) == 0 ? 0 : (gjk_q16)(sum - sum / 2);
   path.margin = t->margin = (gjk_q16)(sum - t->pair.a.convex_radius - t->pair.b.convex_radius);
-  if (case_collider_build(&t->a, &t->pair.a, false) != GJK_OK ||
-      case_collider_build(&t->b, &t->pair.b, false) != GJK_OK) {
+  if (!case_pair_build(&t->pair, false, &t->a, &t->b)) {
     return;
   }
   const gjk_collider *a = &t->a.collider, *b = &t->b.collider;
@@ -307,8 +304,7 @@ static void run_family(trial *t, const generate_cast_family *family, uint64_t se
     t->way = way;
     t->pair.a.moves = false;
     if (llabs(way.x[0]) > WAY_MAX || llabs(way.x[1]) > WAY_MAX || llabs(way.x[2]) > WAY_MAX ||
-        case_collider_build(&t->a, &t->pair.a, false) != GJK_OK ||
-        case_collider_build(&t->b, &t->pair.b, false) != GJK_OK || exact_vertex_count(&t->b.collider) > VERTICES ||
+        !case_pair_build(&t->pair, false, &t->a, &t->b) || exact_vertex_count(&t->b.collider) > VERTICES ||
         !choose_radii(t)) {
       continue;
     }
@@ -344,8 +340,6 @@ int main(int argc, char **argv) {
   if (name == NULL) {
     test_long(&t, seed, casts / 10);
   }
-  case_pair_free(&t.pair);
-  case_collider_free(&t.a);
-  case_collider_free(&t.b);
+  case_pair_release(&t.pair, &t.a, &t.b);
   return check_done("cast_swept");
 }

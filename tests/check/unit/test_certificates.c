@@ -210,8 +210,7 @@ static void check_pair(campaign *c) {
   gjk_distance_result r;
   gjk_cache own;
   memset(&own, 0, sizeof own);
-  const bool built = case_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
-                     case_collider_build(&c->b, &c->pair.b, false) == GJK_OK;
+  const bool built = case_pair_build(&c->pair, false, &c->a, &c->b);
   expect(c, built, "the pair can be posed");
   const gjk_status status = built ? gjk_distance(a, b, &own, &r) : GJK_ERROR_RANGE;
   expect(c, status == GJK_OK, gjk_status_name(status));
@@ -324,8 +323,6 @@ int main(int argc, char **argv) {
     CHECK(brute > total / 1000);
     check_proofs(&c, total);
   }
-  case_pair_free(&c.pair);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.pair, &c.a, &c.b);
   return check_done("certificates");
 }

@@ -10,11 +10,6 @@
 static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
 static const gjk_shape dot = GJK_POINT, sheet = GJK_TRIANGLE(corners), cube = GJK_BOX(ONE, ONE, ONE);
 
-static gjk_collider placed_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
-  const gjk_vec3 at = {x, y, z};
-  return placed(shape, at);
-}
-
 // The status of the claim "apart; the first count vertices of A and vertex 0 of B are nearest".
 static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t count) {
   gjk_decision decision;

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "gjk/slide.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 
 #define SEED UINT64_C(0x536C6964)
@@ -147,8 +148,7 @@ static void cut(const gjk_parts *parts) {
 
 static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
   const gjk_pose pose = AT(x, y, z);
-  memset(c, 0, sizeof *c);
-  CHECK(gjk_collider_init(c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+  *c = posed(shape, &pose);
 }
 
 static gjk_slide_setup usual(void) {

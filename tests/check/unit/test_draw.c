@@ -8,6 +8,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -112,17 +114,8 @@ static gjk_vec3 at(gjk_q16 x, gjk_q16 y) {
   return v;
 }
 
-static gjk_collider place(const gjk_shape *shape, const gjk_pose *pose) {
-  gjk_collider c;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, pose) == GJK_OK);
-  return c;
-}
-
 static gjk_collider place_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  pose.position = at(x, y);
-  return place(shape, &pose);
+  return placed(shape, at(x, y));
 }
 
 static gjk_pose random_pose(random_state *random) {
@@ -141,7 +134,7 @@ static gjk_pose random_pose(random_state *random) {
 static gjk_q16 height_of(const gjk_vec3 *p, const gjk_collider *c) {
   gjk_pose pose = GJK_POSE_IDENTITY;
   pose.position = *p;
-  const gjk_collider point = place(&shapes[0], &pose);
+  const gjk_collider point = posed(&shapes[0], &pose);
   gjk_distance_result gap;
 #if SPACE
   static gjk_epa_cell cells[GJK_EPA_CURVED_CELLS];
@@ -170,7 +163,7 @@ static void check_outlines(void) {
     const unsigned kind = (unsigned)(n % SHAPES);
     const gjk_shape *shape = &shapes[kind];
     const gjk_pose pose = random_pose(&random);
-    const gjk_collider c = place(shape, &pose);
+    const gjk_collider c = posed(shape, &pose);
     clear();
     CHECK(gjk_draw_collider(&out, &c, GJK_DRAW_SENSOR) == GJK_OK);
     const bool round = edges[kind] == 0 || shape->convex_radius > 0;

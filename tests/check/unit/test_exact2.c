@@ -72,8 +72,7 @@ typedef struct lifted {
 static bool build(lifted *l, const exact2_shape *a, const exact2_shape *b, gjk_q16 height) {
   lift(a->point, a->count, (gjk_q16)a->radius, height, &l->pair.a);
   lift(b->point, b->count, (gjk_q16)b->radius, height, &l->pair.b);
-  return case_collider_build(&l->a, &l->pair.a, false) == GJK_OK &&
-         case_collider_build(&l->b, &l->pair.b, false) == GJK_OK;
+  return case_pair_build(&l->pair, false, &l->a, &l->b);
 }
 
 typedef struct counts {
@@ -187,9 +186,7 @@ static void random_pairs(uint64_t seed) {
     }
   }
   CHECK(all.apart > PAIRS && all.together > PAIRS && all.deep > PAIRS);
-  case_pair_free(&l.pair);
-  case_collider_free(&l.a);
-  case_collider_free(&l.b);
+  case_pair_release(&l.pair, &l.a, &l.b);
   case2_pair_free(&pair);
 }
 

@@ -73,8 +73,8 @@ static void test_polytopes(void) {
     pair.b.pose.position = at2;
     gjk_distance_result r;
     reference_result reference;
-    if (case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK ||
-        gjk_distance(&a.collider, &b.collider, NULL, &r) != GJK_OK || r.distance < INT32_C(1) << 30 || r.saturated) {
+    if (!case_pair_build(&pair, false, &a, &b) || gjk_distance(&a.collider, &b.collider, NULL, &r) != GJK_OK ||
+        r.distance < INT32_C(1) << 30 || r.saturated) {
       continue;
     }
     reference_query_posed(&pair, &a, &b, &reference);
@@ -92,9 +92,7 @@ static void test_polytopes(void) {
   CHECK(far[1] > 0);
   CHECK(far[2] > 0);
   CHECK(far[3] > 0);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
 }
 
 int main(void) {

@@ -7,6 +7,7 @@
 #include "gjk/distance.h"
 #include "gjk/impact.h"
 #include "gjk/pose.h"
+#include "placed.h"
 
 #define TOLERANCE GJK_IMPACT_TOLERANCE_MIN
 #define UNIT 65536.0
@@ -170,11 +171,7 @@ static void check_cast(void) {
     ma.to.position = vec(0.5, 1, 0);
     mb.to.position = vec(4, 0.2, -0.1);
     const gjk_impact_result r = impact(&a, &ma, &b, &mb, 0);
-    gjk_collider ca, cb;
-    memset(&ca, 0, sizeof ca);
-    memset(&cb, 0, sizeof cb);
-    CHECK(gjk_collider_init(&ca, &a, NULL, 0) == GJK_OK && gjk_collider_pose(&ca, &ma.from) == GJK_OK);
-    CHECK(gjk_collider_init(&cb, &b, NULL, 0) == GJK_OK && gjk_collider_pose(&cb, &mb.from) == GJK_OK);
+    const gjk_collider ca = posed(&a, &ma.from), cb = posed(&b, &mb.from);
     const gjk_cast_path path = {&ma.to.position, &mb.to.position, 0};
     gjk_cast_result cast;
     CHECK(gjk_cast(&ca, &cb, &path, &cast) == GJK_OK);

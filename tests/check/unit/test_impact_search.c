@@ -142,8 +142,7 @@ static bool make(random_state *random, trial *t) {
   make_thin(random, half, &t->pair.a);
   make_thin(random, other, &t->pair.b);
   make_motions(random, t, half);
-  if (case_collider_build(&of_a, &t->pair.a, true) != GJK_OK ||
-      case_collider_build(&of_b, &t->pair.b, true) != GJK_OK) {
+  if (!case_pair_build(&t->pair, true, &of_a, &of_b)) {
     return false;
   }
   t->setup.iterations = 0;
@@ -165,8 +164,6 @@ static void check_cast(const trial *t, const gjk_impact_result *r, gjk_status st
 int main(int argc, char **argv) {
   static trial t;
   check_trials_of(&t, argc, argv, SEED);
-  case_pair_free(&t.pair);
-  case_collider_free(&of_a);
-  case_collider_free(&of_b);
+  case_pair_release(&t.pair, &of_a, &of_b);
   return check_done("impact_search");
 }

@@ -5,6 +5,7 @@
 #include "check.h"
 #include "generate/body.h"
 #include "parts_answers.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 
 #define TRIALS 250
@@ -159,13 +160,11 @@ static void check_walls(void) {
                                       {&wall, {{GJK_Q16(-2), 0, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
   gjk_compound_node nodes[GJK_COMPOUND_NODES(2)];
   gjk_compound c;
-  gjk_collider b;
   gjk_penetration_result result;
   uint32_t part;
-  const gjk_pose pose = GJK_POSE_IDENTITY;
   CHECK(gjk_compound_build(parts, 2, nodes, GJK_COMPOUND_NODES(2), &c) == GJK_OK);
   const gjk_parts body_of_walls = GJK_PARTS_OF_COMPOUND(&c);
-  CHECK(gjk_collider_init(&b, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &pose) == GJK_OK);
+  const gjk_collider b = placed_at(&ball, 0, 0, 0);
   CHECK(gjk_parts_penetration(&body_of_walls, &b, NULL, &part, &result) == GJK_OK);
   CHECK_MSG(part == 0 && result.depth == GJK_Q16(1) && result.normal.x <= -GJK_Q30_ONE + 4,
             "part %lu depth %ld normal %ld", (unsigned long)part, (long)result.depth, (long)result.normal.x);

@@ -6,6 +6,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "parts_answers.h"
+#include "placed.h"
 #include "random.h"
 #include "src/mesh/gjk_triangle.h"
 
@@ -159,7 +160,6 @@ static void check_body(random_state *random, const gjk_parts *body) {
     const int32_t half = STEP / 2;
     gjk_vec3 from = lattice(random, -12, 12, half), to = lattice(random, -12, 12, half);
     const uint32_t how = random_below(random, 5);
-    gjk_collider c;
     gjk_pose pose = identity;
     if (how > 0) {  // along an axis, or level
       to.x = how == 1 || how == 2 ? from.x : to.x;
@@ -167,7 +167,7 @@ static void check_body(random_state *random, const gjk_parts *body) {
       to.z = how == 2 || how == 3 || how == 4 ? from.z : to.z;
     }
     pose.position = from;
-    CHECK(gjk_collider_init(&c, &small, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(&small, &pose);
     check_walk(body, &from, &to);
     check_first(body, i % 2 == 0 ? NULL : &c, &from, &to);
   }

@@ -181,8 +181,7 @@ static void check_shuffled(campaign *c) {
   shuffle(&c->random, &c->changed.a);
   shuffle(&c->random, &c->changed.b);
   // The centre of the box around the rounded vertices may lie beyond int32_t.
-  if (case_collider_build(&c->other_a, &c->changed.a, false) == GJK_OK &&
-      case_collider_build(&c->other_b, &c->changed.b, false) == GJK_OK) {
+  if (case_pair_build(&c->changed, false, &c->other_a, &c->other_b)) {
     expect_same(c, &c->other_a.collider, &c->other_b.collider, NULL, "vertices shuffled");
   }
 }
@@ -238,11 +237,6 @@ static void check_brute(campaign *c) {
   c->brute++;
 }
 
-static bool build(campaign *c) {
-  return case_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
-         case_collider_build(&c->b, &c->pair.b, false) == GJK_OK;
-}
-
 static void check_answer(campaign *c) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_penetration_result *r = &c->found;
@@ -260,7 +254,7 @@ static void check_answer(campaign *c) {
 
 static void check_pair(campaign *c) {
   memset(&c->own, 0, sizeof c->own);
-  const bool built = build(c);
+  const bool built = case_pair_build(&c->pair, false, &c->a, &c->b);
   expect(c, built, "the pair can be posed");
   const gjk_status status =
       built ? gjk_penetration(&c->a.collider, &c->b.collider, &c->own, &roomy, &c->found) : GJK_ERROR_RANGE;
@@ -346,9 +340,7 @@ int main(int argc, char **argv) {
     CHECK(c.proofs[GJK_PROOF_NEAREST] > 4000);
   }
   case_pair_free(&c.pair);
-  case_pair_free(&c.changed);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.changed, &c.a, &c.b);
   case_collider_free(&c.other_a);
   case_collider_free(&c.other_b);
   return check_done("penetration");

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "exact/depth.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 #include "random.h"
 
 #define SEED 31
@@ -20,13 +21,9 @@
 static gjk_epa_cell cells[CELLS];
 static const gjk_workspace workspace = {cells, CELLS};
 
-static gjk_collider placed(const gjk_shape *shape, gjk_vec3 position, const gjk_quat *rotation) {
-  gjk_pose pose = {position, *rotation};
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
+static gjk_collider turned(const gjk_shape *shape, gjk_vec3 position, const gjk_quat *rotation) {
+  const gjk_pose pose = {position, *rotation};
+  return posed(shape, &pose);
 }
 
 static gjk_quat random_turn(random_state *random) {
@@ -80,8 +77,8 @@ static void test_end_of_world(void) {
     end.z = walls == 3 || walls == 1 ? 0 : end.z;
     const gjk_vec3 start = {end.x - apart.x, end.y - apart.y, end.z - apart.z}, origin = {0, 0, 0};
     show((unsigned long)i, &box, start, &turn_a, &capsule, end, &turn_b);
-    const gjk_collider a = placed(&box, start, &turn_a), b = placed(&capsule, end, &turn_b);
-    const gjk_collider p = placed(&box, origin, &turn_a), q = placed(&capsule, sum(origin, apart), &turn_b);
+    const gjk_collider a = turned(&box, start, &turn_a), b = turned(&capsule, end, &turn_b);
+    const gjk_collider p = turned(&box, origin, &turn_a), q = turned(&capsule, sum(origin, apart), &turn_b);
     gjk_penetration_result there = {0}, here = {0};
     CHECK(gjk_penetration(&a, &b, NULL, &workspace, &there) == GJK_OK);
     CHECK(gjk_penetration(&p, &q, NULL, &workspace, &here) == GJK_OK);
@@ -106,7 +103,7 @@ static void test_walls(void) {
         const gjk_q16 end = sign > 0 ? INT32_MAX - room : INT32_MIN + room, inner = end - sign * 9;
         const gjk_vec3 at = {axis == 0 ? end : 5, axis == 1 ? end : 5, axis == 2 ? end : 5},
                        in = {axis == 0 ? inner : 5, axis == 1 ? inner : 5, axis == 2 ? inner : 5};
-        const gjk_collider a = placed(&ball, in, &none), b = placed(&ball, at, &none);
+        const gjk_collider a = turned(&ball, in, &none), b = turned(&ball, at, &none);
         const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
                                   axis == 2 ? sign * GJK_Q30_ONE : 0};
         gjk_penetration_result r;
@@ -136,8 +133,8 @@ static void test_thin_convex_radius(void) {
                    at = {random_range(&random, -size / 2, size / 2), random_range(&random, -size / 2, size / 2),
                          random_range(&random, -size / 2, size / 2)};
     show((unsigned long)i, &a_shape, origin, &turn_a, &b_shape, at, &turn_b);
-    const gjk_collider a = placed(&a_shape, origin, &turn_a);
-    gjk_collider b = placed(&b_shape, at, &turn_b);
+    const gjk_collider a = turned(&a_shape, origin, &turn_a);
+    gjk_collider b = turned(&b_shape, at, &turn_b);
     gjk_penetration_result r;
     CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK);
     CHECK(r.intersecting);
@@ -200,7 +197,7 @@ static void test_widened_normals(void) {
     const gjk_vec3 end = {start.x + side * random_range(&random, size / 64, i % 64 == 0 ? size : size / 4), start.y,
                           start.z};
     show((unsigned long)i, &a_shape, start, &turn, &b_shape, end, &none);
-    const gjk_collider a = placed(&a_shape, start, &turn), b = placed(&b_shape, end, &none);
+    const gjk_collider a = turned(&a_shape, start, &turn), b = turned(&b_shape, end, &none);
     gjk_penetration_result r;
     char why[200] = "";
     CHECK(gjk_penetration(&a, &b, NULL, NULL, &r) == GJK_OK);
@@ -222,7 +219,7 @@ static void test_signed_apart(void) {
   memset(&cache, 0, sizeof cache);
   for (int extra = 0; extra < 4; extra++) {
     const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + extra, ONE / 2};
-    const gjk_collider a = placed(&box, origin, &none), b = placed(&box, at, &none);
+    const gjk_collider a = turned(&box, origin, &none), b = turned(&box, at, &none);
     gjk_distance_result r;
     CHECK(gjk_signed_distance(&a, &b, &cache, NULL, &r) == GJK_OK);
     CHECK(!r.intersecting);
@@ -258,7 +255,7 @@ static void test_workspaces(void) {
   static const gjk_workspace *const bad[] = {NULL, &none, &empty, &few};
   const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
   const gjk_vec3 origin = {0, 0, 0}, at = {100, 200, 300};
-  const gjk_collider a = placed(&hull, origin, &turn), b = placed(&ball, at, &turn);
+  const gjk_collider a = turned(&hull, origin, &turn), b = turned(&ball, at, &turn);
   gjk_penetration_result whole, r;
   CHECK(gjk_penetration(&a, &b, NULL, &workspace, &whole) == GJK_OK);
   // The depth is the least of (1 + v . at) / sqrt(3) over the corners v, 37606.3 LSB, and the radius of the ball.
@@ -293,7 +290,7 @@ static void test_many_faces(void) {
   const gjk_workspace large = {malloc((size_t)GJK_EPA_CELLS(POINTS) * sizeof(gjk_epa_cell)), GJK_EPA_CELLS(POINTS)};
   const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
   const gjk_vec3 origin = {0, 0, 0};
-  const gjk_collider a = placed(&hull, origin, &turn), b = placed(&point, origin, &turn);
+  const gjk_collider a = turned(&hull, origin, &turn), b = turned(&point, origin, &turn);
   gjk_penetration_result r;
   CHECK(gjk_penetration(&a, &b, NULL, &large, &r) == GJK_ERROR_CAPACITY);
   CHECK(r.intersecting);
@@ -309,7 +306,7 @@ static void test_many_faces(void) {
 static void test_refusals(void) {
   static const gjk_shape point = GJK_POINT;
   const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
-  const gjk_collider a = placed(&point, (gjk_vec3){123456, 0, 0}, &turn), none = {0};
+  const gjk_collider a = turned(&point, (gjk_vec3){123456, 0, 0}, &turn), none = {0};
   gjk_penetration_result r, before;
   gjk_distance_result d;
   CHECK(gjk_penetration(&a, &a, NULL, NULL, &r) == GJK_OK && r.intersecting && r.depth == 0);

@@ -177,8 +177,6 @@ int main(void) {
   CHECK(PAIRS < 100 || t.answers > (unsigned long)PAIRS * 9 / 10);
   CHECK(of_known.bounds > 0);
   CHECK(t.smaller > (unsigned long)PAIRS);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("penetration_flat");
 }

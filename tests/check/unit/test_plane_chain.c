@@ -2,6 +2,7 @@
 // polygons as colliders; each decision against a plain reading of the contract, by many directions.
 #include "gjk2/chain.h"
 
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2013
@@ -493,17 +494,12 @@ static void check_room(random_state *r, int32_t size) {
 static void check_words(void) {
   static const gjk2_vec line[] = {{100000, 0}, {0, 0}, {0, 50000}, {-80000, 50000}};
   const gjk2_shape shape = GJK2_BOX(10000, 10000), ball = GJK2_CIRCLE(10000);
-  gjk2_collider box, circle;
   gjk2_chain chain;
   gjk2_chain_contact c[8];
   uint16_t n = 0;
   memset(&chain, 0, sizeof chain);
-  memset(&box, 0, sizeof box);
-  memset(&circle, 0, sizeof circle);
-  gjk2_pose pose = GJK2_POSE_IDENTITY;
   CHECK(gjk2_chain_init(&chain, line, 4, &origin) == GJK_OK);
-  CHECK(gjk2_collider_init(&box, &shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&box, &pose) == GJK_OK);
-  CHECK(gjk2_collider_init(&circle, &ball, NULL, 0) == GJK_OK && gjk2_collider_pose(&circle, &pose) == GJK_OK);
+  gjk2_collider box = placed2(&shape, 0, 0), circle = placed2(&ball, 0, 0);
   const struct {
     gjk2_vec at;
     bool round;
@@ -564,15 +560,11 @@ static void check_tip(void) {
     gjk_q16 least;
   } expected[] = {{1, 0, -3292}, {1, 0, -3292}, {1, 0, 0}, {1, 256, -1000}, {0, 256, -1000}};
   gjk2_chain chain;
-  gjk2_collider body;
   gjk2_chain_contact c[4];
-  const gjk2_pose pose = GJK2_POSE_IDENTITY;
   memset(&chain, 0, sizeof chain);
-  memset(&body, 0, sizeof body);
   CHECK(gjk2_chain_init(&chain, blade, 3, &origin) == GJK_OK);
   for (int kind = 0; kind < 2; kind++) {
-    CHECK(gjk2_collider_init(&body, kind == 0 ? &ball : &box, NULL, 0) == GJK_OK);
-    CHECK(gjk2_collider_pose(&body, &pose) == GJK_OK);
+    gjk2_collider body = placed2(kind == 0 ? &ball : &box, 0, 0);
     for (int i = kind == 0 ? 0 : 3; i < 5; i++) {
       uint16_t n = 0;
       CHECK(gjk2_collider_move(&body, &places[i]) == GJK_OK);
@@ -591,16 +583,12 @@ static void check_limits(void) {
   const gjk2_shape point = GJK2_POINT, oval = GJK2_ELLIPSE(10000, 10000);
   const gjk2_vec above = {0, 50100}, left = {-100000, 0}, right = {100000, 0}, beside = {100000 + 9000, 3000};
   gjk2_chain chain;
-  gjk2_collider body;
   gjk2_chain_contact c[4];
   uint16_t n = 0, segment = 9;
   bool yes = false;
-  const gjk2_pose pose = GJK2_POSE_IDENTITY;
   memset(&chain, 0, sizeof chain);
-  memset(&body, 0, sizeof body);
   CHECK(gjk2_chain_init(&chain, ridge, 3, &origin) == GJK_OK);
-  CHECK(gjk2_collider_init(&body, &point, NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &pose) == GJK_OK);
-  CHECK(gjk2_collider_move(&body, &above) == GJK_OK);
+  gjk2_collider body = placed2(&point, above.x, above.y);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 100, c, 4, &n) == GJK_OK);
   CHECK(n == 1 && c[0].segment == 1 && c[0].manifold.feature_a == 0 && least_of(&c[0]) == 100);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 99, c, 4, &n) == GJK_OK && n == 0);
@@ -608,8 +596,7 @@ static void check_limits(void) {
   CHECK(gjk2_chain_intersect(&chain, &body, NULL, &yes, &segment) == GJK_OK && yes && segment == 1);
   CHECK(gjk2_collider_move(&body, &right) == GJK_OK);
   CHECK(gjk2_chain_intersect(&chain, &body, NULL, &yes, &segment) == GJK_OK && yes && segment == 0);
-  CHECK(gjk2_collider_init(&body, &oval, NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &pose) == GJK_OK);
-  CHECK(gjk2_collider_move(&body, &beside) == GJK_OK);
+  body = placed2(&oval, beside.x, beside.y);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 0, c, 4, &n) == GJK_OK);
   CHECK(n == 1 && c[0].segment == 0 && c[0].manifold.feature_a == 0 && is_of_surface(&chain, &c[0]));
   CHECK_MSG(abs(least_of(&c[0]) + 513) <= 3, "%d", (int)least_of(&c[0]));

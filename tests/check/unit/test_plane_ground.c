@@ -2,6 +2,7 @@
 // quarter by quarter. Each query against the same asked of every segment alone, two-sided, with the contract read plainly.
 #include "gjk2/ground.h"
 
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2311
@@ -295,7 +296,7 @@ static void set_segment(const line *l, gjk2_collider *out) {
   const gjk2_pose identity = GJK2_POSE_IDENTITY;
   corners[0] = l->p;
   corners[1] = corners[2] = l->q;
-  CHECK(gjk2_collider_init(out, &segment_shape, NULL, 0) == GJK_OK && gjk2_collider_pose(out, &identity) == GJK_OK);
+  *out = posed2(&segment_shape, &identity);
 }
 
 static void check_distances(random_state *r, const gjk2_pose *pose) {

@@ -18,6 +18,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #define SEED 7795
 #define TRIALS check_trials(400)
 #define STEPS 512
@@ -75,7 +77,7 @@ static void collider_at(const gjk_part *part, const gjk_pose *body, gjk_collider
   if (part->own_pose) {
     CHECK(gjk_pose_compose(body, &part->pose, &pose) == GJK_OK);
   }
-  CHECK(gjk_collider_init(c, shapes[part->shape], NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+  *c = posed(shapes[part->shape], &pose);
 }
 
 static bool near(const gjk_part *part, const gjk_pose *body, const gjk_collider *other, gjk_q16 reach) {

@@ -20,6 +20,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #define SEED 7780
 #define VOLLEYS check_trials(16)
 #define WALLS 12
@@ -64,9 +66,7 @@ static const gjk_report *impact_of[BODIES];
 static unsigned long hits, turning_hits, moving_hits, through, sampled, misses, starts;
 
 static void collider_at(const thing *t, const gjk_pose *pose, gjk_collider *c) {
-  memset(c, 0, sizeof *c);
-  CHECK(gjk_collider_init(c, shapes[t->shape], NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(c, pose) == GJK_OK);
+  *c = posed(shapes[t->shape], pose);
 }
 
 static gjk_pose random_pose(random_state *random, int32_t x, int32_t spread, bool turned) {

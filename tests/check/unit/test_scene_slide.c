@@ -15,6 +15,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #define SEED 7790
 #define ROOMS check_trials(160)
 #define WALKS 60
@@ -85,8 +87,7 @@ static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 positio
     pose.rotation = upright;
   }
 #endif
-  memset(c, 0, sizeof *c);
-  CHECK(gjk_collider_init(c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+  *c = posed(shape, &pose);
 }
 
 static gjk_slide_setup usual(void) {

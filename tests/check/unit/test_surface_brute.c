@@ -10,6 +10,7 @@
 #include "gjk/height_field.h"
 #include "gjk/surface.h"
 #include "parts_answers.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 #include "src/motion/gjk_impact.h"
 #include "src/parts/gjk_parts_class.h"
@@ -284,10 +285,10 @@ static void refuse(const gjk_parts *a, const gjk_collider *b, gjk_status expecte
 static void check_refusals(gjk_parts good) {
   static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
   static const gjk_pose identity = GJK_POSE_IDENTITY;
-  gjk_collider b, never;
+  gjk_collider never;
   gjk_parts bad = good;
   memset(&never, 0, sizeof never);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_collider b = posed(&crate, &identity);
   refuse(NULL, &b, GJK_ERROR_NULL);
   refuse(&good, NULL, GJK_ERROR_NULL);
   refuse(&good, &never, GJK_ERROR_UNINITIALISED);
@@ -312,10 +313,9 @@ static void check_too_long(void) {
   gjk_mesh_triangle triangle = {{0, 1, 2}};
   gjk_mesh_node node;
   gjk_mesh mesh;
-  gjk_collider b;
   gjk_surface_contact found;
   CHECK(gjk_mesh_build(corners, 3, &triangle, 1, false, &node, 1, &mesh) == GJK_OK);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_collider b = posed(&crate, &identity);
   const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
   for (int k = 0; k < 7; k++) {
     static const int32_t far = GJK_MESH_COORDINATE_MAX;
@@ -342,12 +342,11 @@ static void check_all_refusals(void) {
   gjk_compound_node node;
   gjk_compound compound;
   gjk_mesh mesh;
-  gjk_collider b;
   uint16_t count = 77;
   const gjk_pose identity = GJK_POSE_IDENTITY;
   CHECK(gjk_mesh_build(corners, 3, &triangle, 1, false, &mesh_node, 1, &mesh) == GJK_OK);
   CHECK(gjk_compound_build(&of_one, 1, &node, 1, &compound) == GJK_OK);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_collider b = posed(&crate, &identity);
   const gjk_parts of_mesh = GJK_PARTS_OF_MESH(&mesh), of_field = GJK_PARTS_OF_HEIGHT_FIELD(&field);
   const gjk_parts of_none = GJK_PARTS_OF_HEIGHT_FIELD(&none), of_compound = GJK_PARTS_OF_COMPOUND(&compound);
   check_refusals(of_mesh);

@@ -244,8 +244,6 @@ int main(void) {
   CHECK(s.changes > 50 * pairs);
   CHECK(s.points[0] > pairs && s.points[1] > pairs);
   case_pair_free(&s.original);
-  case_pair_free(&s.changed);
-  case_collider_free(&s.a);
-  case_collider_free(&s.b);
+  case_pair_release(&s.changed, &s.a, &s.b);
   return check_done("symmetry");
 }

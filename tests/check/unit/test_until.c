@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "generate/generate.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 
 #define SEED 77000
@@ -102,8 +103,7 @@ static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk
 static void check_pair(const case_pair *pair, case_collider *a, case_collider *b, int32_t slack, tally *t) {
   gjk_distance_result full;
   memset(&full, 0, sizeof full);
-  if (case_collider_build(a, &pair->a, false) != GJK_OK || case_collider_build(b, &pair->b, false) != GJK_OK ||
-      gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
+  if (!case_pair_build(pair, false, a, b) || gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
     CHECK_MSG(false, "%s", pair->id);
     return;
   }
@@ -133,12 +133,8 @@ static void random_slender(random_state *random, gjk_vec3 corner[3]) {
 // The distance of a point from a shape, rounded to LSB.
 static gjk_q16 off_shape(const gjk_vec3 *point, const gjk_collider *shape) {
   static const gjk_shape dot = GJK_POINT;
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider at = {0};
+  const gjk_collider at = placed(&dot, *point);
   gjk_distance_result result;
-  pose.position = *point;
-  CHECK(gjk_collider_init(&at, &dot, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&at, &pose) == GJK_OK);
   CHECK(gjk_distance(&at, shape, NULL, &result) == GJK_OK);
   return result.distance;
 }
@@ -154,13 +150,7 @@ static void test_slender_triangles(void) {
     random_slender(&random, corners[0]);
     random_slender(&random, corners[1]);
     const gjk_shape shape_a = GJK_TRIANGLE(corners[0]), shape_b = GJK_TRIANGLE(corners[1]);
-    gjk_pose pose = GJK_POSE_IDENTITY;
-    gjk_collider a = {0}, b = {0};
-    CHECK(gjk_collider_init(&a, &shape_a, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_init(&b, &shape_b, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&a, &pose) == GJK_OK);
-    pose.position = random_vector(&random, GJK_Q16(2000.0));
-    CHECK(gjk_collider_pose(&b, &pose) == GJK_OK);
+    const gjk_collider a = placed_at(&shape_a, 0, 0, 0), b = placed(&shape_b, random_vector(&random, GJK_Q16(2000.0)));
     for (uint8_t iterations = 1; iterations <= 5; iterations++) {
       const gjk_effort effort = {iterations, 0};
       gjk_distance_result part;
@@ -241,8 +231,6 @@ int main(void) {
   CHECK(curved.open > 2000);
   CHECK(curved.exact > 1000);
   CHECK(curved.by_error > 1000);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("until");
 }
