@@ -11,6 +11,7 @@
 #include "gjk/impact.h"
 #include "gjk/scene.h"
 #include "same.h"
+#include "scene_bodies.h"
 
 #define PAIRS check_trials(6000)
 #define MOVES check_trials(2000)
@@ -324,12 +325,6 @@ static bool carry(history *to, history *from, const story *s, bool seal) {
                                                             &bindings) == GJK_OK;
 }
 
-static uint64_t hash_of(const gjk_scene *scene) {
-  uint64_t hash = 0;
-  CHECK(gjk_scene_hash(scene, &hash) == GJK_OK);
-  return hash;
-}
-
 // Everything that was reported.
 static bool same_reports(const history *a, const history *b) {
   const gjk_manifold *m = a->report.manifold, *n = b->report.manifold;
@@ -375,7 +370,7 @@ static void check_scenes(void) {
     CHECK(carry(&h[COPIED], &h[WHOLE], &s, false));
     CHECK(carry(&h[OPENED], &h[SHORT], &s, true));
     for (int k = 1; k < HISTORIES; k++) {
-      CHECK_MSG(hash_of(&h[k].scene) == hash_of(&h[0].scene), "scene %u before, history %d", i, k);
+      CHECK_MSG(scene_hash(&h[k].scene) == scene_hash(&h[0].scene), "scene %u before, history %d", i, k);
     }
     for (int k = 0; k < HISTORIES; k++) {
       gjk_scene_stats stats = {0};
@@ -383,7 +378,7 @@ static void check_scenes(void) {
       CHECK(gjk_scene_get_stats(&h[k].scene, &stats) == GJK_OK);
       CHECK_MSG(same_reports(&h[k], &h[0]), "scene %u, history %d, detail %d, %u cells: %ld, not %ld", i, k, s.detail,
                 (unsigned)s.cells, (long)h[k].report.distance, (long)h[0].report.distance);
-      CHECK_MSG(hash_of(&h[k].scene) == hash_of(&h[0].scene), "scene %u, history %d, detail %d", i, k, s.detail);
+      CHECK_MSG(scene_hash(&h[k].scene) == scene_hash(&h[0].scene), "scene %u, history %d, detail %d", i, k, s.detail);
       unsettled += stats.unsettled;
       skipped += stats.motion + stats.direction;
     }
@@ -469,7 +464,7 @@ static void check_room(void) {
       CHECK_MSG(gjk_scene_update(&wide.scene, report, 20, &progress) == expected, "room %u, tick %d", i, tick);
       CHECK(gjk_scene_check(&wide.scene) == GJK_OK);
       CHECK(gjk_scene_check(&tight.scene) == GJK_OK);
-      CHECK_MSG(hash_of(&wide.scene) == hash_of(&tight.scene), "room %u, tick %d", i, tick);
+      CHECK_MSG(scene_hash(&wide.scene) == scene_hash(&tight.scene), "room %u, tick %d", i, tick);
       CHECK(gjk_scene_get_stats(&wide.scene, &stats) == GJK_OK);
       refused += !fits;
       narrow += fits && stats.pairs == pairs;
@@ -536,7 +531,7 @@ static void check_configuration(void) {
   CHECK(start(&few, &s, &s.way[0], 0));
   s.cells = 41;
   CHECK(start(&many, &s, &s.way[0], 0));
-  CHECK(hash_of(&few.scene) != hash_of(&many.scene));
+  CHECK(scene_hash(&few.scene) != scene_hash(&many.scene));
 }
 
 int main(void) {

@@ -21,6 +21,7 @@
 #endif
 
 #include "placed.h"
+#include "scene_bodies.h"
 
 #define SEED 7780
 #define VOLLEYS check_trials(16)
@@ -144,10 +145,7 @@ static void start_scene(void *block, size_t bytes, const gjk_scene_config *confi
 }
 
 static uint32_t update(void) {
-  gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, reports, 4 * BODIES, &progress) == GJK_OK);
-  CHECK(progress.reports_left == 0);
-  return progress.reports;
+  return scene_update(&scene, reports, 4 * BODIES);
 }
 
 // Where a bullet meets a wall, by the query of that pair alone. *open: it has no answer, where the ceiling is low.

@@ -16,6 +16,7 @@
 #endif
 
 #include "placed.h"
+#include "scene_bodies.h"
 
 #define SEED 7790
 #define ROOMS check_trials(160)
@@ -52,25 +53,12 @@ static void start_scene(void) {
   CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 4, NULL) == GJK_OK);
 }
 
-static gjk_body_id add(uint16_t shape, const gjk_pose *pose) {
-  const gjk_part part = {shape, false, GJK_POSE_IDENTITY};
-  gjk_body_setup setup;
-  gjk_body_id id = {0, 0};
-  memset(&setup, 0, sizeof setup);
-  setup.pose = *pose;
-  setup.parts = &part;
-  setup.part_count = 1;
-  setup.category = setup.mask = 1;
-  CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_OK);
-  return id;
-}
-
 static gjk_body_id add_at(uint16_t shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
   gjk_pose pose = GJK_POSE_IDENTITY;
   const gjk_vec3 position = VECTOR(x, y, z);
   (void)z;
   pose.position = position;
-  return add(shape, &pose);
+  return scene_add_shape(&scene, shape, GJK_BODY_STATIC, &pose);
 }
 
 static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 position) {
@@ -203,7 +191,7 @@ static void add_slope(gjk_q16 x, gjk_q16 y) {
   pose.position = middle;
   CHECK(gjk_quat_normalize(&turn, &pose.rotation) == GJK_OK);
   start_scene();
-  add(0, &pose);
+  scene_add_shape(&scene, 0, GJK_BODY_STATIC, &pose);
 }
 
 // It is ground if the cosine, sqrt(1/2), is at least what is asked for.
@@ -251,7 +239,7 @@ static void check_valley(void) {
     gjk_pose pose = GJK_POSE_IDENTITY;
     pose.position = middle[i];
     CHECK(gjk_quat_normalize(&turn[i], &pose.rotation) == GJK_OK);
-    add(0, &pose);
+    scene_add_shape(&scene, 0, GJK_BODY_STATIC, &pose);
   }
   set_walker(&c, &robot, start);
   const gjk_slide_result r = walk(&c, to, &setup);
@@ -284,7 +272,8 @@ static void build_room(random_state *random) {
       CHECK(gjk_quat_normalize(&any, &pose.rotation) == GJK_OK);
     }
     // Casts against a curved shape may have no answer where the ceiling is low.
-    add((uint16_t)(1 + random_below(random, GJK_ITERATIONS_MAX < 100 ? 2 : 3)), &pose);
+    scene_add_shape(&scene, (uint16_t)(1 + random_below(random, GJK_ITERATIONS_MAX < 100 ? 2 : 3)), GJK_BODY_STATIC,
+                    &pose);
   }
 }
 
