@@ -77,8 +77,8 @@ typedef struct tally {
 static void check_pair(const pair *p, int n, tally *t) {
   gjk_collider a, b;
   gjk_manifold m;
-  place(&p->shape_a, &p->pose_a, &a);
-  place(&p->shape_b, &p->pose_b, &b);
+  a = posed(&p->shape_a, &p->pose_a);
+  b = posed(&p->shape_b, &p->pose_b);
   CHECK(gjk_contacts(&a, &b, MARGIN, 4, NULL, &workspace, &m) == GJK_OK);
   CHECK(m.count > 0);
   double aside = 0;

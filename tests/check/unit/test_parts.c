@@ -3,16 +3,12 @@
 #include <string.h>
 
 #include "check.h"
-#include "generate/body.h"
 #include "parts_answers.h"
-#include "reference/random_shape.h"
+#include "parts_bodies.h"
 
 #define TRIALS 400
 #define VISITORS 12
 
-static generate_body body, other;
-static case_shape visitor;
-static case_collider guest;
 static unsigned touching, apart, ties, several;
 
 static uint32_t count_of(random_state *random) {
@@ -165,20 +161,10 @@ static void try_body(random_state *random, uint64_t seed) {
 }
 
 int main(void) {
-  const uint64_t seed = check_seed(20260721);
   const unsigned long trials = check_trials_least(TRIALS, 40);
-  for (unsigned long i = 0; i < trials; i++) {
-    random_state random = random_seed(seed + 2 * i);
-    check_trial(i, generate_body_show, &body);
-    try_body(&random, seed + 2 * i);
-  }
-  check_trial(trials, NULL, NULL);
+  try_bodies(check_seed(20260721), trials);
   CHECK(touching > trials && apart > trials);
   CHECK(ties > trials / 4);
   CHECK(several > 0);
-  generate_body_free(&body);
-  generate_body_free(&other);
-  case_collider_free(&guest);
-  case_shape_free(&visitor);
   return check_done("test_parts");
 }

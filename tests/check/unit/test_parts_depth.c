@@ -3,18 +3,15 @@
 #include <string.h>
 
 #include "check.h"
-#include "generate/body.h"
 #include "parts_answers.h"
+#include "parts_bodies.h"
+#include "parts_brute.h"
 #include "placed.h"
-#include "reference/random_shape.h"
 
 #define TRIALS 250
 #define VISITORS 8
 #define CELLS 4000
 
-static generate_body body, other;
-static case_shape visitor;
-static case_collider guest;
 static gjk_epa_cell cells[CELLS];
 static gjk_parts_manifold expected[GENERATE_BODY_PARTS * 8], found[GENERATE_BODY_PARTS * 8];
 static unsigned overlapping, apart, short_of_cells, many, short_of_room, touching;
@@ -26,29 +23,11 @@ static uint32_t some_cells(random_state *random) {
 
 static void check_depth(const gjk_collider *b, uint32_t count) {
   const gjk_workspace workspace = {cells, count};
-  gjk_penetration_result best, trial, answer[2];
-  gjk_parts_room room;
-  gjk_collider c;
-  uint32_t deepest = GJK_PARTS_NONE, part[2];
-  gjk_status of_best = GJK_OK;
-  gjk_q16 lower = 0;
-  memset(&best, 0, sizeof best);
-  for (uint32_t i = 0; i < body.count; i++) {
-    CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
-    const gjk_status status = gjk_penetration(&c, b, NULL, &workspace, &trial);
-    CHECK(status == GJK_OK || status == GJK_ERROR_CAPACITY);
-    if (!trial.intersecting) {
-      continue;
-    }
-    CHECK(status != GJK_OK || gjk_check_penetration(&c, b, &trial) != GJK_ERROR_UNPROVEN);
-    lower = trial.lower > lower ? trial.lower : lower;
-    if (deepest == GJK_PARTS_NONE || trial.depth > best.depth) {
-      deepest = i;
-      of_best = status;
-      best = trial;
-    }
-  }
-  best.lower = lower;
+  gjk_penetration_result best, answer[2];
+  uint32_t part[2];
+  gjk_status of_best;
+  unsigned long ties = 0;
+  const uint32_t deepest = brute_depth(&body.tree, b, &workspace, &best, &of_best, &ties);
   overlapping += deepest != GJK_PARTS_NONE;
   apart += deepest == GJK_PARTS_NONE;
   short_of_cells += of_best == GJK_ERROR_CAPACITY;
@@ -176,20 +155,10 @@ static void check_walls(void) {
 }
 
 int main(void) {
-  const uint64_t seed = check_seed(20260722);
   const unsigned long trials = check_trials_least(TRIALS, 40);
   check_walls();
-  for (unsigned long i = 0; i < trials; i++) {
-    random_state random = random_seed(seed + 2 * i);
-    check_trial(i, generate_body_show, &body);
-    try_body(&random, seed + 2 * i);
-  }
-  check_trial(trials, NULL, NULL);
+  try_bodies(check_seed(20260722), trials);
   CHECK(overlapping > trials / 2 && apart > trials / 2 && touching > trials / 20);
   CHECK(short_of_cells > trials / 20 && many > trials / 2 && short_of_room > trials / 4);
-  generate_body_free(&body);
-  generate_body_free(&other);
-  case_collider_free(&guest);
-  case_shape_free(&visitor);
   return check_done("test_parts_depth");
 }
