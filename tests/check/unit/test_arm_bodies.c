@@ -12,7 +12,7 @@
 #include "gjk/mesh.h"
 #include "parts_answers.h"
 #include "placed.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define TRIALS 600
 #define LINKS 4
@@ -60,16 +60,10 @@ static struct {
   int32_t from[LINKS], to[LINKS];
 } m;
 
-static gjk_vec3 any_vector(random_state *random, int32_t most) {
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
-}
-
 static gjk_pose any_pose(random_state *random, int32_t most) {
   gjk_pose pose = GJK_POSE_IDENTITY;
-  const gjk_vec3 axis = any_vector(random, 99);
-  pose.position = any_vector(random, most);
+  const gjk_vec3 axis = random_in_cube(random, 99);
+  pose.position = random_in_cube(random, most);
   if (random_below(random, 3) > 0) {
     (void)gjk_quat_from_axis_angle(&axis, random_range(random, -300000, 300000), &pose.rotation);
   }
@@ -79,7 +73,7 @@ static gjk_pose any_pose(random_state *random, int32_t most) {
 static gjk_shape any_shape(random_state *random, int32_t size, gjk_vec3 points[8], bool curved) {
   const int32_t x = random_range(random, size / 4, size), y = random_range(random, size / 8, size / 2);
   for (unsigned i = 0; i < 8; i++) {
-    points[i] = any_vector(random, size);
+    points[i] = random_in_cube(random, size);
   }
   const gjk_shape shapes[] = {GJK_HULL(points, 8), GJK_BOX(x, y, y), GJK_CAPSULE(y, x), GJK_SPHERE(x),
                               GJK_CYLINDER(y, x)};
@@ -143,7 +137,7 @@ static void make_links(random_state *random, int32_t size) {
     link->parent = (uint8_t)(i == 0 ? GJK_ARM_BASE : i - 1);
     link->kind = random_below(random, 4) > 0 ? GJK_ARM_REVOLUTE : GJK_ARM_PRISMATIC;
     link->fixed = any_pose(random, size);
-    link->axis = any_vector(random, 1000);
+    link->axis = random_in_cube(random, 1000);
     link->axis.x = (link->axis.y | link->axis.z) == 0 ? 1 : link->axis.x;
     link->lower = INT32_MIN;
     link->upper = INT32_MAX;

@@ -12,6 +12,7 @@
 #include "generate/polytope.h"
 #include "gjk/check.h"
 #include "gjk/gjk.h"
+#include "random_vec.h"
 #include "same.h"
 #include "src/gjk/gjk_iteration.h"
 #include "src/gjk/gjk_search.h"
@@ -339,9 +340,7 @@ static void check_lowest_facet(void) {
     gjk_pose poses[2] = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY};
     gjk_penetration_result depth;
     question q;
-    poses[1].position.x = random_range(&random, -3, 3);
-    poses[1].position.y = random_range(&random, -3, 3);
-    poses[1].position.z = random_range(&random, -3, 3);
+    poses[1].position = random_in_cube(&random, 3);
     pose(&q, shapes, poses);
     q.workspace.cells = cells;
     q.workspace.count = CELLS;

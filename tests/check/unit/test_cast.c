@@ -6,7 +6,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "placed.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define SEED 14
 #define TRIALS ((int)check_trials(20000))
@@ -230,14 +230,6 @@ static void check_balls(void) {
   }
 }
 
-static gjk_vec3 random_vector(random_state *random, int32_t size) {
-  gjk_vec3 v;
-  v.x = random_range(random, -size, size);
-  v.y = random_range(random, -size, size);
-  v.z = random_range(random, -size, size);
-  return v;
-}
-
 // At rest the shapes share no inner point; an LSB nearer along each axis of the normal, or on by the same way, they meet.
 static void check_rest(const gjk_collider *a, gjk_collider *b, const gjk_vec3 *to, const gjk_cast_result *hit) {
   static gjk_epa_cell cells[GJK_EPA_CELLS(64)];
@@ -270,10 +262,10 @@ static void check_random(random_state *random, unsigned long number, unsigned *h
   const gjk_shape of_a = GJK_HULL(vertices[0], n), of_b = GJK_HULL(vertices[1], m);
   check_trial(number, NULL, NULL);
   for (unsigned i = 0; i < 24; i++) {
-    vertices[0][i] = random_vector(random, size);
-    vertices[1][i] = random_vector(random, size);
+    vertices[0][i] = random_in_cube(random, size);
+    vertices[1][i] = random_in_cube(random, size);
   }
-  const gjk_vec3 from = random_vector(random, 3 * size), to = random_vector(random, 3 * size);
+  const gjk_vec3 from = random_in_cube(random, 3 * size), to = random_in_cube(random, 3 * size);
   const gjk_collider a = placed_at(&of_a, 0, 0, 0);
   gjk_collider b = placed_at(&of_b, from.x, from.y, from.z);
   const gjk_cast_result out = cast(&a, &b, to.x, to.y, to.z);

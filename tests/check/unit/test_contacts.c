@@ -5,7 +5,7 @@
 
 #include "case/case.h"
 #include "contacts_scene.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define PAIRS ((int)check_trials(60000))
 
@@ -201,9 +201,7 @@ static gjk_pose random_pose(random_state *random, gjk_q16 reach) {
   if (random_below(random, 3) != 0) {
     gjk_quat_normalize(&q, &pose.rotation);
   }
-  pose.position.x = random_range(random, -reach, reach);
-  pose.position.y = random_range(random, -reach, reach);
-  pose.position.z = random_range(random, -reach, reach);
+  pose.position = random_in_cube(random, reach);
   return pose;
 }
 

@@ -10,6 +10,7 @@
 #include "check.h"
 #include "generate/generate.h"
 #include "placed.h"
+#include "random_vec.h"
 #include "reference/reference.h"
 
 #define SEED 5
@@ -17,10 +18,7 @@
 
 // A vector with components below 2^(bits - 1) in size.
 static gjk_vec3 random_vector(random_state *random, int bits) {
-  const int32_t most = (int32_t)((INT64_C(1) << (bits - 1)) - 1);
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
+  return random_in_cube(random, (int32_t)((INT64_C(1) << (bits - 1)) - 1));
 }
 
 static gjk_vec3 diagonal_vector(random_state *random) {

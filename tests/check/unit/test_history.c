@@ -185,15 +185,11 @@ static void ask_moves(const gjk_collider *a, const gjk_collider *b, const journe
   out->impact = gjk_time_of_impact(a, &j->a, b, &j->b, &setup, &out->meeting);
 }
 
-static bool same_vectors(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
 static bool same_cast(gjk_status status, const gjk_cast_result *a, const gjk_cast_result *b) {
   return status != GJK_OK ||
          (a->hit == b->hit && a->iterations == b->iterations && a->certificate.proof == b->certificate.proof &&
-          (!a->hit || (a->inside == b->inside && a->fraction == b->fraction && same_vectors(&a->rest_a, &b->rest_a) &&
-                       same_vectors(&a->rest_b, &b->rest_b) && (a->inside || same_vectors(&a->point_a, &b->point_a)))));
+          (!a->hit || (a->inside == b->inside && a->fraction == b->fraction && same_vec3(&a->rest_a, &b->rest_a) &&
+                       same_vec3(&a->rest_b, &b->rest_b) && (a->inside || same_vec3(&a->point_a, &b->point_a)))));
 }
 
 static void expect_same_moves(unsigned pair, const char *what, const moves *a, const moves *b) {
@@ -202,7 +198,7 @@ static void expect_same_moves(unsigned pair, const char *what, const moves *a, c
   CHECK_MSG(same_cast(a->ray, &a->ray_hit, &b->ray_hit), "%s, pair %u", what, pair);
   const gjk_impact_result *p = &a->meeting, *q = &b->meeting;
   CHECK_MSG(p->hit == q->hit && p->overlap == q->overlap && p->lower == q->lower && p->upper == q->upper &&
-                p->iterations == q->iterations && same_vectors(&p->pose_b.position, &q->pose_b.position),
+                p->iterations == q->iterations && same_vec3(&p->pose_b.position, &q->pose_b.position),
             "%s, pair %u", what, pair);
 }
 

@@ -4,7 +4,7 @@
 #include "gjk/joint.h"
 
 #include "check.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define TRIALS 4000
 #define MOST 24
@@ -59,10 +59,7 @@ static struct {
 } arm;
 
 static gjk_vec3 any_vector(random_state *random, unsigned bits) {
-  const int32_t most = (int32_t)((UINT32_C(1) << bits) - 1);
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
+  return random_in_cube(random, (int32_t)((UINT32_C(1) << bits) - 1));
 }
 
 // A rotation within the tolerance, mostly not a unit.

@@ -5,6 +5,7 @@
 #include "check.h"
 #include "parts_answers.h"
 #include "parts_bodies.h"
+#include "random_vec.h"
 
 #define TRIALS 400
 #define VISITORS 12
@@ -24,9 +25,7 @@ static gjk_vec3 place_of(random_state *random, const gjk_compound *c) {
   const uint32_t choice = random_below(random, 3);
   const int32_t most = (int32_t)(INT32_MAX - c->reach);
   if (choice == 1) {
-    p.x = random_range(random, -most, most);
-    p.y = random_range(random, -most, most);
-    p.z = random_range(random, -most, most);
+    p = random_in_cube(random, most);
   } else if (choice == 2) {
     p.x = random_below(random, 2) == 0 ? most : -most;
     p.y = random_below(random, 2) == 0 ? most : -most;

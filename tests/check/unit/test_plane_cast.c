@@ -472,7 +472,7 @@ static void test_wide(random_state *r) {
     check_trial(i, print_case, &c);
     const bool checked = random_below(r, 2) == 0;
     const int32_t size = 1 << random_range(r, 2, 22), far = (checked ? 1 << 29 : INT32_MAX) - (1 << 24);
-    const gjk2_vec centre = {random_range(r, -far, far), random_range(r, -far, far)};
+    const gjk2_vec centre = plane_random_vec(r, far);
     // Through about the centre, as far as the world lets it; or from there to anywhere.
     const bool leaves = random_below(r, 8) == 0;
     const bool across = checked && random_below(r, 2) == 0;
@@ -520,7 +520,7 @@ static void test_halves_and_rays(random_state *r) {
     c.pair[1].shape.convex_radius = 0;
     c.moves_a = false;
     const gjk2_vec from = c.pair[1].pose.position;
-    const gjk2_vec half = {random_range(r, -2 * size, 2 * size), random_range(r, -2 * size, 2 * size)};
+    const gjk2_vec half = plane_random_vec(r, 2 * size);
     c.to_b.x = from.x + 2 * half.x;
     c.to_b.y = from.y + 2 * half.y;
     finish_case(&c);
@@ -639,9 +639,9 @@ static void test_circles(random_state *r) {
     const int32_t radius_a = random_range(r, 1, size), radius_b = random_range(r, 1, size), sum = radius_a + radius_b;
     const gjk2_shape shape_a = GJK2_ELLIPSE(radius_a, radius_a), shape_b = GJK2_ELLIPSE(radius_b, radius_b);
     gjk2_cast_result out;
-    const gjk2_vec from = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
+    const gjk2_vec from = plane_random_vec(r, 4 * size);
     const gjk2_collider a = placed2(&shape_a, 0, 0), b = placed2(&shape_b, from.x, from.y);
-    const gjk2_vec to = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
+    const gjk2_vec to = plane_random_vec(r, 4 * size);
     const gjk2_cast_path path = {NULL, &to, 0};
     const gjk_status status = gjk2_cast(&a, &b, &path, &out);
     if (status == GJK_ERROR_ITERATION_LIMIT) {  // of a build with a low ceiling
@@ -676,8 +676,8 @@ static void test_rays(random_state *r) {
     check_trial(i, NULL, NULL);
     const int32_t size = random_below(r, 2) == 0 ? 20 : 300000, radius = random_range(r, 1, size);
     const gjk2_shape circle = GJK2_CIRCLE(radius);
-    const gjk2_vec from = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
-    const gjk2_vec to = {random_range(r, -2 * size, 2 * size), random_range(r, -2 * size, 2 * size)};
+    const gjk2_vec from = plane_random_vec(r, 4 * size);
+    const gjk2_vec to = plane_random_vec(r, 2 * size);
     const gjk2_collider a = placed2(&circle, 0, 0);
     gjk2_cast_result out;
     CHECK(gjk2_cast_ray(&a, &from, &to, &out) == GJK_OK);

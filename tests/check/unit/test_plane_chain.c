@@ -393,8 +393,7 @@ static void check_any(random_state *r, int32_t size) {
   plane_random_pair(r, size, size, pair);
   const gjk2_collider *body = &pair[1].collider;
   for (int i = 0; i < n; i++) {
-    v[i].x = random_range(r, -size, size);
-    v[i].y = random_range(r, -size, size);
+    v[i] = plane_random_vec(r, size);
     if (i > 0 && random_below(r, 5) == 0) {
       v[i] = v[i - 1 - (int)random_below(r, 2) * (i > 1)];
     }

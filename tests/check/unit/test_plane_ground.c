@@ -205,8 +205,7 @@ static void check_near(random_state *r, const gjk2_pose *pose) {
 
 static gjk2_pose any_pose(random_state *r) {
   gjk2_pose pose = GJK2_POSE_IDENTITY;
-  pose.position.x = random_range(r, -1000000, 1000000);
-  pose.position.y = random_range(r, -1000000, 1000000);
+  pose.position = plane_random_vec(r, 1000000);
   if (random_below(r, 2) == 0) {
     pose.rotation = plane_random_rotation(r);
     tally.turned++;
@@ -339,8 +338,7 @@ static void check_chain_contacts(random_state *r) {
   gjk2_pose pose = GJK2_POSE_IDENTITY;
   uint16_t count = 0, expected = 0;
   const gjk_q16 margin = random_range(r, 0, 5000);
-  pose.position.x = random_range(r, -1000000, 1000000);
-  pose.position.y = random_range(r, -1000000, 1000000);
+  pose.position = plane_random_vec(r, 1000000);
   gjk2_vec at = vertices[random_below(r, polyline.count)];
   body.pose.position.x = at.x + pose.position.x + random_range(r, -60000, 60000);
   body.pose.position.y = at.y + pose.position.y + random_range(r, -60000, 60000);
@@ -366,7 +364,7 @@ static void check_chain_contacts(random_state *r) {
 static void check_cast(random_state *r, const gjk2_pose *pose) {
   gjk2_cast_result hit, of_segment;
   uint32_t segment = 0;
-  const gjk2_vec way = {random_range(r, -400000, 400000), random_range(r, -400000, 400000)};
+  const gjk2_vec way = plane_random_vec(r, 400000);
   const gjk2_vec to = {body.pose.position.x + way.x, body.pose.position.y + way.y};
   const gjk2_cast_path path = {NULL, &to, random_below(r, 2) == 0 ? 0 : random_range(r, 0, 3000)};
   CHECK(gjk2_ground_cast(&ground, pose, &body.collider, &path, &hit, &segment) == GJK_OK);

@@ -85,8 +85,7 @@ static gjk2_scene_bindings bindings_of(stage *s) {
 static gjk2_pose any_pose(random_state *r, int32_t spread) {
   gjk2_pose pose;
   pose.rotation = plane_random_rotation(r);
-  pose.position.x = random_range(r, -spread, spread);
-  pose.position.y = random_range(r, -spread, spread);
+  pose.position = plane_random_vec(r, spread);
   return pose;
 }
 
@@ -221,7 +220,7 @@ static void check_reports(const stage *s, gjk_q16 margin, uint8_t detail) {
 // Rays, casts and the nearest part see the ground as its queries do.
 static void check_probes(random_state *r, const stage *s, int32_t spread) {
   const gjk2_pose at = any_pose(r, spread);
-  const gjk2_vec to = {random_range(r, -spread, spread), random_range(r, -spread, spread)};
+  const gjk2_vec to = plane_random_vec(r, spread);
   const gjk2_cast_path path = {NULL, &to, 0};
   gjk_scene_hit hit;
   gjk2_cast_result result, of_ground;

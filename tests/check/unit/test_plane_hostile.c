@@ -31,8 +31,7 @@ static void check_tiny(random_state *r, plane_body *pair) {
     const int32_t size = random_range(r, 1, 6);
     uint16_t count = (uint16_t)random_range(r, 3, 12);
     for (int k = 0; k < count; k++) {
-      pair[i].vertices[k].x = random_range(r, -size, size);
-      pair[i].vertices[k].y = random_range(r, -size, size);
+      pair[i].vertices[k] = plane_random_vec(r, size);
     }
     CHECK(gjk2_polygon_order(pair[i].vertices, count, pair[i].vertices, &count) == GJK_OK);
     const gjk2_shape polygon = GJK2_POLYGON(pair[i].vertices, count);

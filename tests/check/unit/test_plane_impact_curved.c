@@ -130,16 +130,14 @@ static void random_motions(random_state *r, curved_case *c, int32_t size) {
     gjk2_motion *m = &c->motion[i];
     m->from.rotation = plane_random_rotation(r);
     m->to.rotation = random_below(r, 3) == 0 ? m->from.rotation : plane_random_rotation(r);
-    m->from.position.x = random_range(r, -4 * size, 4 * size);
-    m->from.position.y = random_range(r, -4 * size, 4 * size);
+    m->from.position = plane_random_vec(r, 4 * size);
     if (m->to.rotation.c == -m->from.rotation.c && m->to.rotation.s == -m->from.rotation.s) {
       m->to.rotation = m->from.rotation;  // half a turn: either way round
     }
     m->to.position = m->from.position;
     m->spin = random_below(r, 3) == 0 ? random_range(r, -1000000, 1000000) : 0;
     if (random_below(r, 4) != 0) {
-      m->to.position.x = random_range(r, -4 * size, 4 * size);
-      m->to.position.y = random_range(r, -4 * size, 4 * size);
+      m->to.position = plane_random_vec(r, 4 * size);
     }
   }
   if (random_below(r, 2) == 0) {  // through A
@@ -185,8 +183,7 @@ static void test_custom(random_state *r) {
     check_trial(i, print_case, &c);
     const int32_t size = sizes[random_below(r, 4)];
     for (int k = 0; k < 4; k++) {
-      c.corners[k].x = random_range(r, -size, size);
-      c.corners[k].y = random_range(r, -size, size);
+      c.corners[k] = plane_random_vec(r, size);
     }
     const gjk2_shape custom = GJK2_ROUNDED_CUSTOM(support_corners, c.corners, size + size / 2,
                                                   random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4)),

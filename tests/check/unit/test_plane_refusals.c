@@ -421,8 +421,7 @@ static void check_large_depths(random_state *r) {
   gjk2_collider *a = &pair[0].collider, *b = &pair[1].collider;
   for (int i = 0; i < 2; i++) {
     pair[i].shape = box;
-    pair[i].pose.position.x = random_range(r, -GJK_Q16(40.0), GJK_Q16(40.0));
-    pair[i].pose.position.y = random_range(r, -GJK_Q16(40.0), GJK_Q16(40.0));
+    pair[i].pose.position = plane_random_vec(r, GJK_Q16(40.0));
     CHECK(gjk2_rotation_from_angle(random_range(r, -205887, 205887), &pair[i].pose.rotation) == GJK_OK);
     plane_place(&pair[i], false);
   }

@@ -152,11 +152,9 @@ static void check_motion(random_state *random) {
   gjk2_scene scene;
   gjk_body_id id;
   part.pose.rotation = plane_random_rotation(random);
-  part.pose.position.x = random_range(random, -100000, 100000);
-  part.pose.position.y = random_range(random, -100000, 100000);
+  part.pose.position = plane_random_vec(random, 100000);
   gjk2_body_setup setup = {body[0].pose, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
-  setup.pose.position.x = random_range(random, -100000, 100000);
-  setup.pose.position.y = random_range(random, -100000, 100000);
+  setup.pose.position = plane_random_vec(random, 100000);
   CHECK(gjk2_scene_init(&scene, &quick_config, quick_block, sizeof quick_block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk2_scene_add(&scene, &setup, &id) == GJK_OK);
   gjk_progress progress;

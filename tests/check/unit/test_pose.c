@@ -5,6 +5,7 @@
 #include "check.h"
 #include "gjk/pose.h"
 #include "random.h"
+#include "same.h"
 
 #define SEED 20240611
 #define ITERATIONS ((int)check_trials(200000))
@@ -142,14 +143,6 @@ static gjk_vec3 random_within(random_state *random, int32_t length) {
   const long double norm = sqrtl(r.x * r.x + r.y * r.y + r.z * r.z), scale = norm > length ? length / norm : 1;
   const gjk_vec3 shorter = {(gjk_q16)(r.x * scale), (gjk_q16)(r.y * scale), (gjk_q16)(r.z * scale)};
   return shorter;
-}
-
-static bool same_quat(const gjk_quat *a, const gjk_quat *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w;
-}
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
 static void test_axis_angle(random_state *random) {
@@ -300,10 +293,6 @@ static void test_apply(random_state *random, const char *name, int32_t length, l
                 ? out_of_range > (unsigned long)ITERATIONS / 10 && out_of_range < (unsigned long)ITERATIONS * 9 / 10
                 : out_of_range == 0,
             "%s: %lu of %d out of range", name, out_of_range, ITERATIONS);
-}
-
-static bool same_pose(const gjk_pose *a, const gjk_pose *b) {
-  return same_vec3(&a->position, &b->position) && same_quat(&a->rotation, &b->rotation);
 }
 
 // Composes and inverts poses within 4095 units, and goes back.

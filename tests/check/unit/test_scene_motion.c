@@ -105,15 +105,6 @@ static gjk_status ask(const question *q, const gjk_scene_hit *after, gjk_scene_h
   }
 }
 
-static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
-  for (uint32_t i = 0; i < count; i++) {
-    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation || a[i].user != b[i].user) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // The nearest hit is the first of all, with the result of its own cast.
 static void check_nearest(const question *q, const gjk_scene_hit *expected, uint32_t wanted,
                           const gjk_cast_result *first) {

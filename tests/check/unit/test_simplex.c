@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "random.h"
+#include "random_vec.h"
 #include "src/gjk/gjk_simplex.h"
 
 #define RUNS ((int)check_trials(150000))
@@ -149,8 +149,7 @@ int main(void) {
   for (int run = 0; run < RUNS; run++) {
     check_trial((unsigned long)run, NULL, NULL);
     const int32_t size = run % 8 < 7 ? 1 + run % 8 : 3000;
-    const gjk_vec3 middle = {random_range(&random, -size, size), random_range(&random, -size, size),
-                             random_range(&random, -size, size)};
+    const gjk_vec3 middle = random_in_cube(&random, size);
     gjk_simplex s;
     memset(&s, 0x55, sizeof s);
     gjk_simplex_clear(&s);

@@ -5,6 +5,7 @@
 #include "check.h"
 #include "generate/generate.h"
 #include "placed.h"
+#include "random_vec.h"
 #include "reference/random_shape.h"
 
 #define SEED 77000
@@ -120,9 +121,7 @@ static void random_slender(random_state *random, gjk_vec3 corner[3]) {
   const gjk_q16 reach = GJK_Q16(2000.0);
   const gjk_q16 width = INT32_C(1) << random_below(random, 22);
   for (int i = 0; i < 2; i++) {
-    corner[i].x = random_range(random, -reach, reach);
-    corner[i].y = random_range(random, -reach, reach);
-    corner[i].z = random_range(random, -reach, reach);
+    corner[i] = random_in_cube(random, reach);
   }
   const bool middle = random_below(random, 2) == 0;
   corner[2].x = (middle ? (corner[0].x + corner[1].x) / 2 : corner[0].x) + random_range(random, -width, width);

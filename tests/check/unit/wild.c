@@ -6,7 +6,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "placed.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define SEED 20250718
 #define TRIALS ((int)check_trials(4000))
@@ -58,9 +58,7 @@ static gjk_collider anywhere(random_state *random, const gjk_shape *shape, gjk_q
   const gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000),
                       random_range(random, -1000, 1000), random_range(random, 1, 1000)};
   gjk_quat_normalize(&q, &pose.rotation);
-  pose.position.x = random_range(random, -reach, reach);
-  pose.position.y = random_range(random, -reach, reach);
-  pose.position.z = random_range(random, -reach, reach);
+  pose.position = random_in_cube(random, reach);
   return posed(shape, &pose);
 }
 
