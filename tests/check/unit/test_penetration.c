@@ -45,14 +45,7 @@ typedef struct campaign {
 static gjk_epa_cell cells[CELLS];
 static const gjk_workspace roomy = {cells, CELLS};
 
-static void expect(campaign *c, bool holds, const char *what) {
-  CHECK_MSG(holds, "%s: %s: %s", c->pair.id, what, c->why);
-  if (!holds && c->failures++ < FAILURES_SHOWN) {
-    case_print(stdout, &c->pair);
-    fflush(stdout);
-  }
-  c->why[0] = '\0';
-}
+#include "campaign.h"
 
 // Whatever changes in the way to an answer, `intersecting` and the depth may not change.
 static void expect_same(campaign *c, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, const char *what) {
@@ -301,8 +294,7 @@ static void run_family(campaign *c, uint64_t seed, unsigned long pairs) {
          family->name, c->pairs, share, c->touching, c->iterations, (unsigned long)c->cells, c->brute);
   fflush(stdout);
   if (pairs >= 1000) {
-    CHECK_MSG(share >= family->least, "%s: %.1f %% intersect", family->name, share);
-    CHECK_MSG(share <= family->most, "%s: %.1f %% intersect", family->name, share);
+    campaign_check_share(family->name, share, family->least, family->most);
   }
 }
 
