@@ -46,8 +46,7 @@ static inline gjk_pose turned(gjk_pose pose, const gjk_vec3 *axis, gjk_angle ang
 static inline gjk_manifold meet(const gjk_shape *a, gjk_pose pose_a, const gjk_shape *b, gjk_pose pose_b,
                                 unsigned most) {
   const gjk_collider one = posed(a, &pose_a), two = posed(b, &pose_b);
-  gjk_manifold m;
-  memset(&m, 0, sizeof m);
+  gjk_manifold m = {0};
   CHECK(gjk_contacts(&one, &two, MARGIN, most, NULL, &workspace, &m) == GJK_OK);
   return m;
 }

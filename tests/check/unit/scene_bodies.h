@@ -2,8 +2,6 @@
 #ifndef SCENE_BODIES_H
 #define SCENE_BODIES_H
 
-#include <string.h>
-
 #include "check.h"
 
 // A pose that is not turned.
@@ -16,9 +14,8 @@ static inline gjk_pose scene_pose(gjk_q16 x, gjk_q16 y) {
 
 static inline gjk_body_id scene_add_parts(gjk_scene *scene, const gjk_part *parts, uint16_t count, uint8_t kind,
                                           const gjk_pose *pose) {
-  gjk_body_setup setup;
+  gjk_body_setup setup = {0};
   gjk_body_id id = {0, 0};
-  memset(&setup, 0, sizeof setup);
   setup.pose = *pose;
   setup.parts = parts;
   setup.part_count = count;

@@ -41,8 +41,7 @@ static void boxes_print(const void *subject) {
 
 // The solid of a text: rows from y = 0 up, separated by '/', layers by ' '. Cells are 'size' wide.
 static boxes boxes_of(const char *text, int32_t size) {
-  boxes b;
-  memset(&b, 0, sizeof b);
+  boxes b = {0};
   int x = 0, y = 0, z = 0;
   for (; *text != '\0'; text++) {
     if (*text == '/' || *text == ' ') {

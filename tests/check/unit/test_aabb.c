@@ -1,5 +1,4 @@
 // AABBs of colliders: exact for polytopes, at most 2 LSB too large for curved shapes, saturated at the ends of int32_t.
-#include <string.h>
 
 #include "check.h"
 #include "exact/exact.h"
@@ -39,11 +38,9 @@ static gjk_aabb box_of_vertices(const gjk_collider *c) {
 
 static void test_polytopes(void) {
   random_state random = random_seed(check_seed(SEED));
-  case_shape shape;
-  case_collider c;
+  case_shape shape = {0};
+  case_collider c = {0};
   unsigned long cut = 0;
-  memset(&shape, 0, sizeof shape);
-  memset(&c, 0, sizeof c);
   for (int i = 0; i < TRIALS; i++) {
     check_trial((unsigned long)i, NULL, NULL);
     generate_polytope(&random, generate_kind(&random), generate_reach(&random), &shape);

@@ -171,8 +171,7 @@ static void pose(question *q, const gjk_shape shapes[2], const gjk_pose poses[2]
 
 static void check_caches(void) {
   unsigned touching = 0, apart = 0, full = 0;
-  gjk_cache before;
-  memset(&before, 0, sizeof before);
+  gjk_cache before = {0};
   for (unsigned i = 0; i < PAIRS; i++) {
     random_state random = random_seed(check_seed(SEED) + i);
     const bool aligned = i % 2 == 0;
@@ -182,8 +181,7 @@ static void check_caches(void) {
     answers cold, warm;
     const gjk_pose poses[2] = {make_pose(&random, aligned, size, size), make_pose(&random, aligned, size, 4.0 * size)};
     const gjk_cache rubbish = make_rubbish(&random);
-    gjk_cache own;
-    memset(&own, 0, sizeof own);
+    gjk_cache own = {0};
     pose(&q, shapes, poses);
     q.margin = size * (int32_t)random_below(&random, 3);
     q.workspace.cells = cells;

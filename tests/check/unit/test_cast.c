@@ -168,9 +168,8 @@ static void check_statuses(void) {
   const gjk_vec3 near = {INT32_MIN, 0, 0}, far = {INT32_MAX, 0, 0};
   const gjk_vec3 shifted[4] = {{110, 0, 0}, {90, 0, 0}, {100, 10, 0}, {100, 0, 10}};
   const gjk_shape off = GJK_HULL(shifted, 4);
-  gjk_collider unposed;
+  gjk_collider unposed = {0};
   gjk_cast_result out;
-  memset(&unposed, 0, sizeof unposed);
   const gjk_cast_path none = {NULL, NULL, 0}, negative = {NULL, NULL, -1}, apart = {&near, &far, 0};
   check_refused(NULL, &b, &none, GJK_ERROR_NULL);
   check_refused(&a, NULL, &none, GJK_ERROR_NULL);

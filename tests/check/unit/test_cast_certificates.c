@@ -284,13 +284,12 @@ static void count(campaign *c, const gjk_cast_result *r) {
 }
 
 static void check_cast(campaign *c) {
-  gjk_cast_result r;
+  gjk_cast_result r = {0};
   const gjk_status of_a = case_collider_build(&c->a, &c->pair.a, false),
                    of_b = case_collider_build(&c->b, &c->pair.b, false);
   const bool built = of_a == GJK_OK && of_b == GJK_OK;
   expect(c, built || of_a == GJK_ERROR_RANGE || of_b == GJK_ERROR_RANGE, "the pair can be posed");
   const gjk_cast_path path = case_path(&c->pair, 0);
-  memset(&r, 0, sizeof r);
   if (!built || !ask(c, &c->a.collider, &c->b.collider, &path, &c->cast, "cast", &r)) {
     c->outside++;
     return;

@@ -249,12 +249,11 @@ static void forge_fewer(random_state *random, const trial *t, bool rounded) {
   for (int i = 0; i < 2; i++) {
     gjk_shape few = t->shape[i];
     gjk_collider pair[2] = {t->collider[0], t->collider[1]};
-    gjk_cast_result claim;
+    gjk_cast_result claim = {0};
     if (few.vertices == NULL || few.count < CORNERS) {
       continue;
     }
     few.count = (uint16_t)(1 + random_below(random, CORNERS - 1));
-    memset(&claim, 0, sizeof claim);
     pair[i] = posed(&few, &t->pose[i]);
     CHECK(gjk_cast(&pair[0], &pair[1], &t->path, &claim) == GJK_OK);
     if (claim.hit != t->result.hit || claim.inside != t->result.inside ||

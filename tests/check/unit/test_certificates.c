@@ -166,8 +166,7 @@ static void check_wrong_decision(campaign *c, gjk_q16 distance) {
 // the wrong one.
 static void check_borrowed_proof(campaign *c, const gjk_distance_result *r, gjk_q16 distance, bool yes) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
-  gjk_decision d;
-  memset(&d, 0, sizeof d);
+  gjk_decision d = {0};
   d.yes = yes;
   d.certificate = r->certificate;
   d.certificate.proof = yes ? GJK_PROOF_NEAR : GJK_PROOF_NEAREST;
@@ -198,8 +197,7 @@ static void check_brute(campaign *c, const gjk_distance_result *r) {
 static void check_pair(campaign *c) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_distance_result r;
-  gjk_cache own;
-  memset(&own, 0, sizeof own);
+  gjk_cache own = {0};
   const bool built = case_pair_build(&c->pair, false, &c->a, &c->b);
   expect(c, built, "the pair can be posed");
   const gjk_status status = built ? gjk_distance(a, b, &own, &r) : GJK_ERROR_RANGE;

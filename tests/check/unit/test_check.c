@@ -12,8 +12,7 @@ static const gjk_shape dot = GJK_POINT, sheet = GJK_TRIANGLE(corners), cube = GJ
 
 // The status of the claim "apart; the first count vertices of A and vertex 0 of B are nearest".
 static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t count) {
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   decision.certificate.proof = GJK_PROOF_NEAREST;
   decision.certificate.count = count;
   for (uint8_t i = 0; i < count; i++) {
@@ -63,8 +62,7 @@ static void test_enclosing(void) {
 // A direction proves a gap if each of its components is in range, and its square as well.
 static void test_directions(void) {
   const gjk_collider a = placed_at(&cube, 0, 0, 0);
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   decision.certificate.proof = GJK_PROOF_DIRECTION;
   const gjk_q16 most = 3 * (INT32_C(1) << 29);
   for (int axis = 0; axis < 3; axis++) {
@@ -107,9 +105,8 @@ static void test_largest(void) {
   const gjk_shape *const shapes[2] = {&box, &barrel};
   for (int i = 0; i < 2; i++) {
     const gjk_collider a = placed_at(shapes[i], 0, 0, 0), b = placed_at(shapes[i], away, away, away);
-    gjk_cache cache;
+    gjk_cache cache = {0};
     gjk_decision decision;
-    memset(&cache, 0, sizeof cache);
     for (int change = 0; change < 3; change++) {
       CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK);
       CHECK(!decision.yes);
@@ -124,8 +121,7 @@ static void test_largest(void) {
 // If the bounding spheres are apart, the answer holds whatever the certificate says.
 static void test_spheres(void) {
   const gjk_collider a = placed_at(&cube, 0, 0, 0), b = placed_at(&cube, 0, 0, 100 * ONE);
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_OK);
   decision.yes = true;
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_ERROR_UNPROVEN);
@@ -138,8 +134,7 @@ static void test_spheres(void) {
 // The right feature, with distances beside the right one.
 static void test_distances(void) {
   const gjk_collider a = placed_at(&dot, 0, 0, 0), b = placed_at(&dot, 3, 4, 0);
-  gjk_distance_result result;
-  memset(&result, 0, sizeof result);
+  gjk_distance_result result = {0};
   CHECK(gjk_distance(&a, &b, NULL, &result) == GJK_OK);
   CHECK(result.distance == 5);
   CHECK(gjk_check_distance(&a, &b, &result) == GJK_OK);
@@ -164,8 +159,7 @@ static void test_penetrations(void) {
   static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, ONE), barrel = GJK_CYLINDER(ONE, ONE);
   const gjk_collider a = placed_at(&cube, 0, 0, 0), b = placed_at(&cube, 0, 0, 2 * ONE - 10),
                      far = placed_at(&cube, 0, 9 * ONE, 0);
-  gjk_penetration_result r;
-  memset(&r, 0, sizeof r);
+  gjk_penetration_result r = {0};
   CHECK(gjk_check_penetration(NULL, &b, &r) == GJK_ERROR_NULL);
   CHECK(gjk_check_penetration(&a, NULL, &r) == GJK_ERROR_NULL);
   CHECK(gjk_check_penetration(&a, &b, NULL) == GJK_ERROR_NULL);
@@ -254,8 +248,7 @@ static void test_planes(void) {
                                axis == 2 ? sign * ONE : ONE};
       const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
                                 axis == 2 ? sign * GJK_Q30_ONE : 0};
-      gjk_penetration_result r;
-      memset(&r, 0, sizeof r);
+      gjk_penetration_result r = {0};
       r.intersecting = true;
       r.point_a = r.point_b = corner;
       r.normal = normal;

@@ -97,9 +97,8 @@ static void check_pairs(void) {
     const gjk_shape slow[2] = {without_close(shapes[0]), without_close(shapes[1])};
     const gjk_pose poses[2] = {make_pose(&random, lattice, size), make_pose(&random, lattice, size)};
     gjk_collider a, b, slow_a, slow_b;
-    gjk_cache cache;
+    gjk_cache cache = {0};
     answers closed, open;
-    memset(&cache, 0, sizeof cache);
     a = posed(&shapes[0], &poses[0]);
     b = posed(&shapes[1], &poses[1]);
     slow_a = posed(&slow[0], &poses[0]);

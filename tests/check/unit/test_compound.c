@@ -112,13 +112,12 @@ static void check_body(const gjk_parts *a, const gjk_collider *b, gjk_status exp
 
 static void check_bodies(void) {
   gjk_compound c;
-  gjk_collider never;
+  gjk_collider never = {0};
   gjk_decision decision;
   gjk_parts_room room;
   set_row();
   CHECK(gjk_compound_build(parts, 12, nodes, 23, &c) == GJK_OK);
   gjk_collider b = posed(&crate, &identity);
-  memset(&never, 0, sizeof never);
   const gjk_parts good = GJK_PARTS_OF_COMPOUND(&c);
   gjk_parts bad = good;
   check_body(NULL, &b, GJK_ERROR_NULL);

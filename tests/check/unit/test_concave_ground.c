@@ -82,13 +82,12 @@ static bool has_normal(const gjk_vec3 *at, const gjk_unit3 *normal) {
 }
 
 static unsigned scene_manifolds(void *user, unsigned a, unsigned b, gjk_manifold *out, unsigned capacity) {
-  gjk_report report;
+  gjk_report report = {0};
   unsigned count = 0;
   (void)user;
   if (!near[a][b]) {
     return 0;
   }
-  memset(&report, 0, sizeof report);
   report.a = body[a];
   report.b = body[b];
   CHECK(gjk_scene_manifolds(&scene, &report, SOLVER_POINTS_MAX, out, capacity, &count) == GJK_OK);

@@ -141,8 +141,7 @@ static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_q16 x, gjk_q
 }
 
 static gjk_slide_setup usual(void) {
-  gjk_slide_setup s;
-  memset(&s, 0, sizeof s);
+  gjk_slide_setup s = {0};
   s.up.z = GJK_Q30_ONE;
   s.slope = GJK_Q30_ONE / 2;  // 60 degrees
   s.skin = SKIN;

@@ -261,8 +261,7 @@ static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
 static void test_random(void) {
   random_state random = random_seed(check_seed(61));
   static case_posed shown;
-  tally t;
-  memset(&t, 0, sizeof t);
+  tally t = {0};
   unsigned long moved = 0;
   for (int n = 0; n < PAIRS; n++) {
     gjk_collider a, b;

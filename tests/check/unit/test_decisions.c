@@ -20,22 +20,19 @@ static void show_if(bool failed, const case_pair *pair) {
 }
 
 static bool intersects(const subject *s) {
-  gjk_decision d;
-  memset(&d, 0, sizeof d);
+  gjk_decision d = {0};
   CHECK(gjk_intersect(&s->a.collider, &s->b.collider, NULL, &d) == GJK_OK);
   return d.yes;
 }
 
 static bool is_within(const subject *s, gjk_q16 distance) {
-  gjk_decision d;
-  memset(&d, 0, sizeof d);
+  gjk_decision d = {0};
   CHECK(gjk_within(&s->a.collider, &s->b.collider, distance, NULL, &d) == GJK_OK);
   return d.yes;
 }
 
 static gjk_distance_result distance_of(const subject *s) {
-  gjk_distance_result r;
-  memset(&r, 0, sizeof r);
+  gjk_distance_result r = {0};
   CHECK(gjk_distance(&s->a.collider, &s->b.collider, NULL, &r) == GJK_OK);
   return r;
 }

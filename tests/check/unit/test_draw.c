@@ -107,8 +107,7 @@ static void clear(void) {
 }
 
 static gjk_vec3 at(gjk_q16 x, gjk_q16 y) {
-  gjk_vec3 v;
-  memset(&v, 0, sizeof v);
+  gjk_vec3 v = {0};
   v.x = x;
   v.y = y;
   return v;
@@ -223,8 +222,7 @@ static void check_ball(void) {
 
 // Boxes, flat ones too, and those at the ends of the world.
 static void check_boxes(void) {
-  gjk_aabb box;
-  memset(&box, 0, sizeof box);
+  gjk_aabb box = {0};
   clear();
   CHECK(gjk_draw_box(&out, &box, GJK_DRAW_BOX) == GJK_OK && drawn.lines == 0);
   box.upper.x = 5;
@@ -278,7 +276,7 @@ static void check_casts(void) {
   const gjk_collider wall = place_at(&shapes[3], 0, 0), ball = place_at(&shapes[6], -9 * ONE, 0);
   const gjk_vec3 from = at(-9 * ONE, 0), to = at(9 * ONE, 0), past = at(9 * ONE, 9 * ONE);
   gjk_cast_result result;
-  gjk_collider unposed;
+  gjk_collider unposed = {0};
   CHECK(gjk_cast_ray(&wall, &from, &to, &result) == GJK_OK && result.hit);
   clear();
   CHECK(gjk_draw_ray(&out, &from, &to, &result, ONE) == GJK_OK && drawn.lines == 2 && drawn.points == 1);
@@ -309,7 +307,6 @@ static void check_casts(void) {
       CHECK(drawn.from[ROUND + i].x - drawn.from[i].x == way && drawn.from[ROUND + i].y == drawn.from[i].y);
     }
   }
-  memset(&unposed, 0, sizeof unposed);
   clear();
   CHECK(gjk_draw_cast(&out, &unposed, &to, &result, ONE) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk_draw_cast(&out, NULL, &to, &result, ONE) == GJK_ERROR_NULL);

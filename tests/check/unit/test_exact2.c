@@ -2,8 +2,6 @@
 // are as far apart there, and prisms higher than deep overlap as much.
 #include "exact/exact2.h"
 
-#include <string.h>
-
 #include "case/case.h"
 #include "check.h"
 #include "generate/generate2.h"

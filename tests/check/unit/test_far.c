@@ -5,7 +5,6 @@
 // The sum, in LSB, of which a gap of at least 2^29 allows 2. Each coordinate is within 1/2 of its mean error: sqrt(3) /
 // 2 together. The distance and that mean are rounded by up to 1/2 each. Together: 1.87.
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "generate/generate.h"

@@ -233,9 +233,7 @@ static void check_answers(random_state *random) {
       continue;
     }
     uint8_t level = (uint8_t)random_below(random, size > 64 ? 4 : 5);
-    four a, b;
-    memset(&a, 0, sizeof a);
-    memset(&b, 0, sizeof b);
+    four a = {0}, b = {0};
     make_hull(random, of, size, level, 0);
     make_hull(random, (family)random_below(random, TINY), 64, 1, 1);
     CHECK(gjk_hull_table_check(vertices[0], (uint16_t)size, &tables[0]) == GJK_OK);
@@ -303,9 +301,8 @@ static void check_cells(random_state *random) {
 }
 
 static gjk_status init_with(const gjk_hull_table *table) {
-  gjk_collider c;
+  gjk_collider c = {0};
   gjk_shape shape = tabled[0];
-  memset(&c, 0, sizeof c);
   shape.user = table;
   return gjk_collider_init(&c, &shape, NULL, 0);
 }

@@ -28,11 +28,8 @@ static gjk_motion standing(double x, double y, double z) {
 
 static gjk_impact_result impact(const gjk_shape *a, const gjk_motion *ma, const gjk_shape *b, const gjk_motion *mb,
                                 gjk_q16 margin) {
-  gjk_collider ca, cb;
-  gjk_impact_result r;
-  memset(&ca, 0, sizeof ca);
-  memset(&cb, 0, sizeof cb);
-  memset(&r, 0, sizeof r);
+  gjk_collider ca = {0}, cb = {0};
+  gjk_impact_result r = {0};
   const gjk_impact_setup setup = {margin, TOLERANCE, 0};
   CHECK(gjk_collider_init(&ca, a, NULL, 0) == GJK_OK && gjk_collider_init(&cb, b, NULL, 0) == GJK_OK);
   CHECK(gjk_time_of_impact(&ca, ma, &cb, mb, &setup, &r) == GJK_OK);
@@ -206,10 +203,8 @@ static void check_far_arms(void) {
                   west = GJK_HULL(left, 1), east = GJK_HULL(right, 1);
   gjk_motion turning = rest, beside = standing(17000, 10, 0), from = standing(-10000, 0, 0), to = standing(10000, 0, 0);
   const gjk_impact_setup setup = {0, GJK_Q16(0.125), 0};
-  gjk_collider a, b;
+  gjk_collider a = {0}, b = {0};
   gjk_impact_result r;
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
   turning.spin.z = GJK_Q16(0.001);
   CHECK(gjk_collider_init(&a, &edge, NULL, 0) == GJK_OK && gjk_collider_init(&b, &box, NULL, 0) == GJK_OK);
   CHECK(gjk_time_of_impact(&a, &turning, &b, &beside, &setup, &r) == GJK_OK);
@@ -241,10 +236,7 @@ static void check_statuses(void) {
   const gjk_shape box = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
   static const gjk_vec3 far_away[4] = {{INT32_MAX, 0, 0}, {INT32_MAX, 9, 0}, {INT32_MAX, 0, 9}, {INT32_MAX - 9, 0, 0}};
   const gjk_shape hull = GJK_HULL(far_away, 4);
-  gjk_collider a, b, h;
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
-  memset(&h, 0, sizeof h);
+  gjk_collider a = {0}, b = {0}, h = {0};
   gjk_motion m = standing(5, 0, 0), bad = m;
   gjk_impact_setup setup = {0, TOLERANCE, 0};
   gjk_impact_result r, before;

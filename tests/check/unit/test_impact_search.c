@@ -3,7 +3,6 @@
 //
 //   test_impact_search [SEED [TRIALS]]
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "exact/clearance.h"

@@ -187,9 +187,8 @@ static void check_body(trial *t) {
 // neither of two. It has its contact all the same, at the distance of the ground.
 static void check_turned_level(random_state *random) {
   static found_contacts found;
-  trial t;
+  trial t = {0};
   unsigned long apart = 0, together = 0;
-  memset(&t, 0, sizeof t);
   for (int k = 0; k < 60; k++) {
     surface_make(random, SURFACE_FLAT, 200, 1 << random_range(random, 5, 9), false, &t.ground);
     t.parts = (gjk_parts)GJK_PARTS_OF_MESH(&t.ground.mesh);

@@ -1,7 +1,6 @@
 // Meshes and height fields: limits of fields, what is refused, and bodies that slide over flat ground, which meet its normal
 // alone. test_surface_brute.c, test_parts_order.c and test_height_field.c ask every triangle.
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "generate/surface.h"

@@ -1,6 +1,5 @@
 // Bodies of many parts: intersect, within and distance against every part by the pair's query, bit for bit; with the tree
 // and without; two bodies against each other; and every certificate.
-#include <string.h>
 
 #include "check.h"
 #include "parts_answers.h"
@@ -67,9 +66,8 @@ static void check_decisions(const gjk_collider *b, gjk_q16 distance) {
 static void check_distance(const gjk_collider *b) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_distance_result best, trial, found;
+  gjk_distance_result best = {0}, trial, found;
   uint32_t least = GJK_PARTS_NONE, part, equal = 0;
-  memset(&best, 0, sizeof best);
   for (uint32_t i = 0; i < body.count; i++) {
     CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
     CHECK(gjk_distance(&c, b, NULL, &trial) == GJK_OK);
@@ -95,10 +93,9 @@ static void check_distance(const gjk_collider *b) {
 static void check_both(void) {
   gjk_parts_room room[2];
   gjk_collider a, b;
-  gjk_distance_result best, trial, found, back;
+  gjk_distance_result best = {0}, trial, found, back;
   gjk_parts_pair pair, turned, least = {GJK_PARTS_NONE, GJK_PARTS_NONE};
   gjk_decision decision;
-  memset(&best, 0, sizeof best);
   for (uint32_t j = 0; j < other.count; j++) {
     CHECK(gjk_parts_place(&other.tree, j, &room[1], &b) == GJK_OK);
     for (uint32_t i = 0; i < body.count; i++) {

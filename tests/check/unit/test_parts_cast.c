@@ -62,7 +62,7 @@ static void check_cast(random_state *random, const gjk_collider *b, gjk_q16 spre
 static void check_ray(random_state *random, gjk_q16 spread) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_cast_result best, trial, answer;
+  gjk_cast_result best = {0}, trial, answer;
   uint32_t first = GJK_PARTS_NONE, part;
   const gjk_vec3 from = way_from(random, &body.tree.pose.position, 3.0 * spread);
   gjk_vec3 to = way_from(random, random_below(random, 2) == 0 ? &from : &body.tree.pose.position, 3.0 * spread);
@@ -72,7 +72,6 @@ static void check_ray(random_state *random, gjk_q16 spread) {
     to.y = capped(2 * (int64_t)c.centre.y - from.y);
     to.z = capped(2 * (int64_t)c.centre.z - from.z);
   }
-  memset(&best, 0, sizeof best);
   for (uint32_t i = 0; i < body.count; i++) {
     CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
     CHECK(gjk_cast_ray(&c, &from, &to, &trial) == GJK_OK);
@@ -154,14 +153,13 @@ static void check_impact(random_state *random, gjk_q16 spread) {
 static void check_both(random_state *random, gjk_q16 spread) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_cast_result best, trial, answer;
+  gjk_cast_result best = {0}, trial, answer;
   gjk_parts_pair pair, first = {GJK_PARTS_NONE, GJK_PARTS_NONE};
   const gjk_vec3 *at = &other.tree.pose.position;
   const gjk_vec3 to_a = way_from(random, &body.tree.pose.position, 2.0 * spread),
                  to_b = way_from(random, at, 2.0 * spread);
   const gjk_cast_path path = {&to_a, &to_b, 0};
   gjk_vec3 offset = {0, 0, 0};
-  memset(&best, 0, sizeof best);
   for (uint32_t j = 0; j < other.count; j++) {
     uint32_t part;
     CHECK(gjk_parts_place(&other.tree, j, &room, &c) == GJK_OK);

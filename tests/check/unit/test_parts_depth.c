@@ -78,10 +78,9 @@ static void check_both(gjk_q16 margin) {
   const gjk_workspace workspace = {cells, CELLS};
   gjk_parts_room room;
   gjk_collider c;
-  gjk_penetration_result best, trial, answer;
+  gjk_penetration_result best = {0}, trial, answer;
   gjk_parts_pair pair, deepest = {GJK_PARTS_NONE, GJK_PARTS_NONE};
   uint32_t wanted = 0, all;
-  memset(&best, 0, sizeof best);
   for (uint32_t j = 0; j < other.count; j++) {
     uint32_t part, count;
     gjk_status status;

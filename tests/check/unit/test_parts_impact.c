@@ -99,10 +99,9 @@ static gjk_status ask(const question *q, gjk_parts_pair *pair, gjk_impact_result
 
 static void check_question(random_state *random, const question *q) {
   gjk_parts_pair first, pair;
-  gjk_impact_result best, answer;
+  gjk_impact_result best = {0}, answer;
   gjk_q30 limited;
   gjk_pose end;
-  memset(&best, 0, sizeof best);
   ask_every_pair(q, &first, &best, &limited);
   const gjk_status status = ask(q, &pair, &answer);
   if (status == GJK_ERROR_ITERATION_LIMIT) {

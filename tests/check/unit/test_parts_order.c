@@ -126,12 +126,11 @@ static void check_walk(const gjk_parts *body, const gjk_vec3 *from, const gjk_ve
 // collider NULL: a ray. Ties go to a part that overlaps at the start, then to the lowest number.
 static void check_first(const gjk_parts *body, const gjk_collider *b, const gjk_vec3 *from, const gjk_vec3 *to) {
   const gjk_cast_path path = {NULL, to, 0};
-  gjk_cast_result best, trial, answer;
+  gjk_cast_result best = {0}, trial, answer;
   gjk_parts_room room;
   gjk_collider part;
   uint32_t first = GJK_PARTS_NONE, found;
   unsigned equals = 0;
-  memset(&best, 0, sizeof best);
   for (uint32_t i = 0; i < gjk_parts_count(body); i++) {
     if (gjk_parts_place(body, i, &room, &part) != GJK_OK) {
       continue;  // a hole

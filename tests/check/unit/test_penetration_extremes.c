@@ -215,8 +215,7 @@ static void test_widened_normals(void) {
 static void test_signed_apart(void) {
   static const gjk_shape box = GJK_BOX(ONE, ONE, ONE);
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
-  gjk_cache cache;
-  memset(&cache, 0, sizeof cache);
+  gjk_cache cache = {0};
   for (int extra = 0; extra < 4; extra++) {
     const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + extra, ONE / 2};
     const gjk_collider a = turned(&box, origin, &none), b = turned(&box, at, &none);

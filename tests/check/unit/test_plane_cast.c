@@ -316,8 +316,7 @@ static void check_case(random_state *r, const cast_case *c) {
   const gjk2_collider *a = &c->pair[0].collider, *b = &c->pair[1].collider;
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + c->margin;
   const gjk2_cast_path path = {c->moves_a ? &c->to_a : NULL, &c->to_b, c->margin};
-  gjk2_cast_result out;
-  memset(&out, 0, sizeof out);
+  gjk2_cast_result out = {0};
   CHECK(gjk2_cast(a, b, &path, &out) == GJK_OK);
   tally.iterations_most = out.iterations > tally.iterations_most ? out.iterations : tally.iterations_most;
   if (radius == 0) {

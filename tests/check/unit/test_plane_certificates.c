@@ -192,8 +192,7 @@ static void check_wrong_answers(campaign *c, const gjk2_distance_result *right) 
 
 static void check_pair(campaign *c) {
   gjk2_distance_result r;
-  gjk2_cache own;
-  memset(&own, 0, sizeof own);
+  gjk2_cache own = {0};
   const bool built = case2_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
                      case2_collider_build(&c->b, &c->pair.b, false) == GJK_OK &&
                      exact2_pair_set(&c->a.collider, &c->b.collider, &c->exact);

@@ -174,9 +174,8 @@ int main(void) {
       bring_near(&a, &b, &to, random_range(&random, -3, 3));
     }
     const gjk_q16 margin = random_below(&random, 2) == 0 ? 0 : any_length(&random, size);
-    gjk2_cache cache;
+    gjk2_cache cache = {0};
     answers own, again, general, polygons;
-    memset(&cache, 0, sizeof cache);
     ask(&a.own, &b.own, margin, NULL, &own);
     ask(&a.general, &b.general, margin, NULL, &general);
     compare(&own, &general, true);

@@ -123,8 +123,7 @@ static void check_kinds(plane_body *pair) {
 static void check_arguments(const plane_body *pair) {
   gjk2_manifold m, before;
   const gjk2_collider *a = &pair[0].collider, *b = &pair[1].collider;
-  gjk2_collider raw;
-  memset(&raw, 0, sizeof raw);
+  gjk2_collider raw = {0};
   memset(&m, 7, sizeof m);
   before = m;
   CHECK(gjk2_contacts(NULL, b, 0, 2, NULL, &m) == GJK_ERROR_NULL);

@@ -56,12 +56,10 @@ static void check_tiny(random_state *r, plane_body *pair) {
 
 // One to three iterations, and an error allowed: bounds of the exact answer; the same with any cache.
 static void check_efforts(random_state *r, const gjk2_collider *a, const gjk2_collider *b) {
-  gjk2_distance_result full, part, again;
+  gjk2_distance_result full, part = {0}, again = {0};
   gjk2_within_result within;
   gjk2_cache cache;
   CHECK(gjk2_distance(a, b, NULL, &full) == GJK_OK);
-  memset(&part, 0, sizeof part);
-  memset(&again, 0, sizeof again);
   for (uint8_t n = 1; n <= 6; n++) {
     const gjk2_effort effort = {n < 4 ? n : 0, n < 4 ? 0 : (gjk_q16)(1 << (4 * n - 8))};
     random_cache(r, &cache);
@@ -151,13 +149,12 @@ static void check_far(random_state *r, plane_body *pair) {
 }
 
 static void check_refused(const gjk2_collider *a, const gjk2_collider *b) {
-  gjk2_collider raw;
+  gjk2_collider raw = {0};
   gjk2_decision yes;
   gjk2_within_result within;
   gjk2_distance_result line;
   gjk2_penetration_result depth;
   const gjk2_effort effort = {0, -1};
-  memset(&raw, 0, sizeof raw);
   memset(&yes, 1, sizeof yes);
   memset(&line, 1, sizeof line);
   memset(&depth, 1, sizeof depth);

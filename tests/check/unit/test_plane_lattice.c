@@ -184,11 +184,10 @@ static bool check_offset(const lattice_shape *a, gjk2_collider *b, int x, int y,
 static void check_shapes(const lattice_shape *a, const lattice_shape *b, int reach) {
   static axis axes[2 + 2 * (CORNERS_MAX + 2)];
   gjk2_collider moved = b->collider;
-  gjk2_cache cache;
+  gjk2_cache cache = {0};
   ceiling *c = &most[a->count][b->count];
   const int count = find_axes(a, b, axes);
   bool right = true;
-  memset(&cache, 0, sizeof cache);
   for (int x = -reach; x <= reach; x++) {
     for (int y = -reach; y <= reach; y++) {
       right = check_offset(a, &moved, x, y, !is_apart(axes, count, x, y), &cache, c) && right;

@@ -1,6 +1,5 @@
 // The plane: hulls, the check of outlines, mass properties of shapes and of bodies of several parts.
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "exact/integer.h"
@@ -233,9 +232,8 @@ static void test_refusals(void) {
   const gjk2_shape square = GJK2_POLYGON(v, 4), rod = GJK2_TRIANGLE(line), other = GJK2_TRIANGLE(turned),
                    none = GJK2_POLYGON(v, 0), large = GJK2_ROUNDED_BOX(GJK2_RADIUS_MAX, 0, 1),
                    negative = GJK2_BOX(-1, 0), minus = GJK2_CIRCLE(-1);
-  gjk2_mass m, body;
+  gjk2_mass m, body = {0};
   gjk2_pose pose = GJK2_POSE_IDENTITY;
-  memset(&body, 0, sizeof body);
   for (int i = 0; i < 4; i++) {
     CHECK(gjk2_mass_of_shape(&refused[i], &m) == GJK_ERROR_UNSUPPORTED);
   }
@@ -285,10 +283,9 @@ static void test_bodies(uint64_t seed) {
   random_state random = random_seed(seed + 5);
   for (unsigned long trial = 0; trial < 5000; trial++) {
     const int32_t reach = INT32_C(1) << random_below(&random, 29), size = INT32_C(1) << random_below(&random, 27);
-    gjk2_mass body;
+    gjk2_mass body = {0};
     real mass = 0, first[2] = {0, 0}, second = 0, span = 2 * (real)reach + 4 * (real)size;
     int parts = 1 + (int)random_below(&random, 6);
-    memset(&body, 0, sizeof body);
     check_trial(trial, NULL, NULL);
     for (int i = 0; i < parts; i++) {
       const gjk2_vec v[3] = {

@@ -107,12 +107,11 @@ static void check_custom_point(void) {
 static void check_queries(void) {
   const gjk2_shape ball = GJK2_CIRCLE(10);
   const gjk2_effort effort = {0, 0};
-  gjk2_collider c, raw;
+  gjk2_collider c, raw = {0};
   gjk2_decision yes;
   gjk2_distance_result line;
   gjk2_manifold manifold;
   c = placed2(&ball, 0, 0);
-  memset(&raw, 0, sizeof raw);
   memset(&line, POISON, sizeof line);
   memset(&yes, POISON, sizeof yes);
   memset(&manifold, POISON, sizeof manifold);
@@ -201,8 +200,7 @@ static void check_forged_distances(void) {
   forged.point_a.x = forged.point_b.x = 5500;
   CHECK(gjk2_check_distance(&a, &b, &forged) == GJK_ERROR_UNPROVEN);
   // A direction proves nothing about distances that leave int32 with the radii.
-  gjk2_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk2_decision decision = {0};
   decision.certificate.proof = GJK2_PROOF_DIRECTION;
   decision.certificate.direction.x = 1;
   CHECK(gjk2_check_decision(&a, &b, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
@@ -212,8 +210,7 @@ static void check_forged_depths(void) {
   const gjk2_shape box = GJK2_BOX(5000, 3000), rounded = GJK2_ROUNDED_BOX(5000, 3000, 600), point = GJK2_POINT;
   const gjk2_shape segment = GJK2_SEGMENT(1000);
   gjk2_collider a, b;
-  gjk2_penetration_result right, forged;
-  memset(&right, 0, sizeof right);
+  gjk2_penetration_result right = {0}, forged;
   a = placed2(&box, 0, 0);
   b = placed2(&box, 9000, 100);
   CHECK(gjk2_penetration(&a, &b, NULL, &right) == GJK_OK && right.depth == 1000);
@@ -318,8 +315,7 @@ static void check_enclosing(void) {
     for (int i = 0; i < 64; i++) {
       const int of[3] = {i & 3, i >> 2 & 3, i >> 4};
       plane_point w[3];
-      gjk2_decision decision;
-      memset(&decision, 0, sizeof decision);
+      gjk2_decision decision = {0};
       decision.yes = true;
       decision.certificate.proof = GJK2_PROOF_ENCLOSING;
       decision.certificate.count = 3;
@@ -354,8 +350,7 @@ static void check_near_both_ways(void) {
   for (int side = -1; side <= 1; side += 2) {
     b = placed2(&box, side * 11000, 100);
     for (uint16_t i = 0; i < 256; i++) {
-      gjk2_decision forth, back;
-      memset(&forth, 0, sizeof forth);
+      gjk2_decision forth = {0}, back;
       forth.yes = true;
       forth.certificate.proof = GJK2_PROOF_NEAR;
       forth.certificate.count = 2;

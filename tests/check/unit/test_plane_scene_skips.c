@@ -1,7 +1,6 @@
 // Skips of the plane to the last LSB: what a pair's record claims is so, motion and rotations are bounded, and pairs that
 // are as far apart as their margins reach are told as a scene without skips and the query tell them.
 #include <math.h>
-#include <string.h>
 
 #include "plane.h"
 #include "src/plane_scene/gjk2_scene_names.h"

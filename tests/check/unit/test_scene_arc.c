@@ -104,8 +104,7 @@ static void check_swing(random_state *random) {
   for (uint32_t i = 0; i < progress.reports; i++) {
     impact = reports[i].event == GJK_EVENT_IMPACT ? &reports[i] : impact;
   }
-  gjk_motion motion;
-  memset(&motion, 0, sizeof motion);
+  gjk_motion motion = {0};
   motion.from = from;
   motion.to = to;
   collider_at(&thing, &at, &other);

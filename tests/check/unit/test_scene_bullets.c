@@ -130,8 +130,7 @@ static void start_scene(void *block, size_t bytes, const gjk_scene_config *confi
   for (uint32_t i = 0; i < BODIES; i++) {
     const bool wall = i < WALLS, moving = wall && i % 3 != 0;
     const gjk_part part = {things[i].shape, false, GJK_POSE_IDENTITY};
-    gjk_body_setup setup;
-    memset(&setup, 0, sizeof setup);
+    gjk_body_setup setup = {0};
     setup.pose = things[i].from;
     setup.parts = &part;
     setup.part_count = 1;
@@ -166,8 +165,7 @@ static bool meets(const thing *wall, const thing *bullet, uint32_t *fraction, bo
     *at_start = result.hit && result.inside;
     return result.hit;
   }
-  gjk_motion of_a, of_b;
-  memset(&of_a, 0, sizeof of_a);
+  gjk_motion of_a = {0}, of_b;
   of_b = of_a;
   of_a.from = wall->from;
   of_a.to = wall->to;

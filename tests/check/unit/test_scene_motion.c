@@ -171,11 +171,10 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
 
 // Ways of any length, some that stand still, along an axis, from the middle of a part, or to it.
 static question random_question(random_state *random) {
-  question q;
+  question q = {0};
   const int32_t reach = w.options.reach * 2;
   const uint32_t how = random_below(random, 6);
   const world_body *b = &w.bodies[random_below(random, w.options.bodies)];
-  memset(&q, 0, sizeof q);
   q.kind = (kind)random_below(random, KINDS);
   q.from = random_vector(random, reach);
   q.to = random_vector(random, how == 0 ? INT32_MAX / 2 : reach);
@@ -235,13 +234,12 @@ static void check_world(random_state *random, void *block, size_t bytes, const w
 static void check_statuses(void) {
   const gjk_vec3 from = w.bodies[0].setup.pose.position;
   gjk_vec3 far = from;
-  gjk_collider c, unposed;
+  gjk_collider c, unposed = {0};
   gjk_pose pose = GJK_POSE_IDENTITY;
   gjk_scene_hit hit = {{7, 7}, 7, 7, 7};
   gjk_cast_result result;
   bool found = true;
   uint32_t count = 7;
-  memset(&unposed, 0, sizeof unposed);
   gjk_collider_init(&c, world_shapes[8], NULL, 0);  // whose centre is not its origin
   CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
   const gjk_scene *s = &w.scene;

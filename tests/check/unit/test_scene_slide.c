@@ -79,8 +79,7 @@ static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 positio
 }
 
 static gjk_slide_setup usual(void) {
-  gjk_slide_setup s;
-  memset(&s, 0, sizeof s);
+  gjk_slide_setup s = {0};
   s.up = up;
   s.slope = GJK_Q30_ONE / 2;  // 60 degrees
   s.skin = SKIN;
@@ -328,13 +327,12 @@ static void check_walks(random_state *random) {
 }
 
 static void check_statuses(void) {
-  gjk_collider c, unposed;
+  gjk_collider c, unposed = {0};
   gjk_slide_setup setup = usual();
   gjk_slide_result r;
   gjk_vec3 to = VECTOR(ONE, ONE, 0);
   start_scene();
   set_walker(&c, &robot, to);
-  memset(&unposed, 0, sizeof unposed);
   memset(&r, 0x5A, sizeof r);
   const gjk_slide_result untouched = r;
   CHECK(gjk_slide(NULL, &c, &to, &setup, &r) == GJK_ERROR_NULL);

@@ -133,8 +133,7 @@ static gjk_distance_result gap_at(trial *t, const gjk_motion motion[2], gjk_q30 
   gjk_parts_room room;
   gjk_collider c;
   gjk_pose pose;
-  gjk_distance_result least, one;
-  memset(&least, 0, sizeof least);
+  gjk_distance_result least = {0}, one;
   least.distance = GJK_DISTANCE_MAX;
   CHECK(gjk_motion_pose(&motion[0], fraction, &moved.parts.pose) == GJK_OK);
   CHECK(gjk_motion_pose(&motion[1], fraction, &pose) == GJK_OK);
@@ -238,9 +237,8 @@ static void refuse(const gjk_parts *a, const gjk_collider *b, gjk_status expecte
 static void check_refusals(gjk_parts good) {
   static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
   static const gjk_pose identity = GJK_POSE_IDENTITY;
-  gjk_collider never;
+  gjk_collider never = {0};
   gjk_parts bad = good;
-  memset(&never, 0, sizeof never);
   const gjk_collider b = posed(&crate, &identity);
   refuse(NULL, &b, GJK_ERROR_NULL);
   refuse(&good, NULL, GJK_ERROR_NULL);

@@ -1,6 +1,5 @@
 // What must not change an answer: the order of vertices, which shape is A, where in the world the pair stands, the
 // direction of the axes, and whether a box is written as a box or as a hull.
-#include <string.h>
 
 #include "check.h"
 #include "exact/exact.h"
@@ -28,10 +27,9 @@ typedef struct subject {
 
 static answer find_answer(subject *s, const case_shape *shape_a, const case_shape *shape_b, gjk_q16 distance) {
   const gjk_collider *a = &s->a.collider, *b = &s->b.collider;
-  answer found;
+  answer found = {0};
   gjk_distance_result r;
   gjk_decision touch, within, beyond;
-  memset(&found, 0, sizeof found);
   found.posed =
       case_collider_build(&s->a, shape_a, false) == GJK_OK && case_collider_build(&s->b, shape_b, false) == GJK_OK;
   if (!found.posed || gjk_distance(a, b, NULL, &r) != GJK_OK || gjk_intersect(a, b, NULL, &touch) != GJK_OK) {

@@ -42,9 +42,8 @@ static void expect(bool holds, const case_pair *pair, const char *what) {
 
 static bool decides(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, bool yes) {
   gjk_decision d;
-  gjk_cache cache;
+  gjk_cache cache = {0};
   char why[128];
-  memset(&cache, 0, sizeof cache);
   for (int pass = 0; pass < 2; pass++) {  // cold, then warm
     if (gjk_within(a, b, distance, &cache, &d) != GJK_OK || d.yes != yes ||
         !exact_check_decision(a, b, distance, &d, why, sizeof why) ||
@@ -169,11 +168,8 @@ static unsigned check_truth(const case_pair *pair, const gjk_collider *a, const 
 static void run(FILE *file, const char *name) {
   static truth truths[CASES + 1];
   static case_reader reader;
-  case_pair pair;
-  case_collider a, b;
-  memset(&pair, 0, sizeof pair);
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
+  case_pair pair = {0};
+  case_collider a = {0}, b = {0};
   const size_t known = read_truths(file, truths, CASES + 1);
   size_t count = 0;
   unsigned by_brute = 0;

@@ -52,8 +52,7 @@ static bool is_cut(const gjk_distance_result *r) {
 
 static void check_iterations(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full,
                              int32_t slack, const char *id, tally *t) {
-  gjk_distance_result part, before;
-  memset(&before, 0, sizeof before);
+  gjk_distance_result part, before = {0};
   before.upper = GJK_DISTANCE_MAX;
   for (uint8_t iterations = 1; iterations < full->iterations + 2; iterations++) {
     const gjk_effort effort = {iterations, 0};
@@ -102,8 +101,7 @@ static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk
 }
 
 static void check_pair(const case_pair *pair, case_collider *a, case_collider *b, int32_t slack, tally *t) {
-  gjk_distance_result full;
-  memset(&full, 0, sizeof full);
+  gjk_distance_result full = {0};
   if (!case_pair_build(pair, false, a, b) || gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
     CHECK_MSG(false, "%s", pair->id);
     return;
@@ -199,12 +197,9 @@ static void test_statuses(void) {
 }
 
 int main(void) {
-  case_pair pair;
-  case_collider a, b;
+  case_pair pair = {0};
+  case_collider a = {0}, b = {0};
   tally t = {0, 0, 0, 0}, curved = {0, 0, 0, 0};
-  memset(&pair, 0, sizeof pair);
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
   test_statuses();
   test_slender_triangles();
   for (unsigned f = 0; f < generate_family_count; f++) {

@@ -91,8 +91,7 @@ static void check_cache(campaign *c, gjk_q16 distance, uint8_t iterations, const
 }
 
 static void check_distance(campaign *c, gjk_q16 distance) {
-  gjk_decision full;
-  memset(&full, 0, sizeof full);
+  gjk_decision full = {0};
   CHECK_MSG(gjk_within(&c->a.collider, &c->b.collider, distance, NULL, &full) == GJK_OK, "%s", c->pair.id);
   for (unsigned iterations = 0; iterations < full.iterations + 2u; iterations++) {
     check_iterations(c, distance, (uint8_t)iterations, &full);

@@ -1,7 +1,6 @@
 // A custom shape whose support function breaks all its promises. Queries of all kinds must end without undefined
 // behaviour, and the shape must stay within its bound. test_wild.sh builds it with a port that has no asserts.
 #include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "gjk/gjk.h"
