@@ -78,8 +78,7 @@ static gjk_vec3 boxes_corner(const boxes *b, const int at[3]) {
       out[i] += b->turn[i][j] * x[j];
     }
   }
-  const gjk_vec3 point = {out[0], out[1], out[2]};
-  return point;
+  return (gjk_vec3){out[0], out[1], out[2]};
 }
 
 static void boxes_add_side(const boxes *b, mesh *m, int axis, bool high, const int cell[3]) {

@@ -31,9 +31,8 @@ static gjk_aabb box_of_vertices(const gjk_collider *c) {
       high[k] = at[k] > high[k] ? at[k] : high[k];
     }
   }
-  const gjk_aabb box = {{cut_off(low[0] - radius), cut_off(low[1] - radius), cut_off(low[2] - radius)},
-                        {cut_off(high[0] + radius), cut_off(high[1] + radius), cut_off(high[2] + radius)}};
-  return box;
+  return (gjk_aabb){{cut_off(low[0] - radius), cut_off(low[1] - radius), cut_off(low[2] - radius)},
+                    {cut_off(high[0] + radius), cut_off(high[1] + radius), cut_off(high[2] + radius)}};
 }
 
 static void test_polytopes(void) {

@@ -89,8 +89,7 @@ static gjk_parts any_compound(random_state *random, body *b, int32_t size, bool 
   }
   CHECK(gjk_compound_build(b->parts, (uint16_t)count, b->nodes, GJK_COMPOUND_NODES(COMPOUND_MAX), &b->compound) ==
         GJK_OK);
-  const gjk_parts parts = GJK_PARTS_OF_COMPOUND(&b->compound);
-  return parts;
+  return (gjk_parts)GJK_PARTS_OF_COMPOUND(&b->compound);
 }
 
 // A rough ground, as a mesh of some size.
@@ -113,8 +112,7 @@ static gjk_parts any_mesh(random_state *random, body *b, int32_t size) {
   }
   CHECK(gjk_mesh_build(b->vertices, side * side, b->triangles, count, random_below(random, 2) == 0, b->mesh_nodes,
                        GJK_MESH_NODES(PIECES_MAX), &b->mesh) == GJK_OK);
-  const gjk_parts parts = GJK_PARTS_OF_MESH(&b->mesh);
-  return parts;
+  return (gjk_parts)GJK_PARTS_OF_MESH(&b->mesh);
 }
 
 // A field, some of whose cells are holes.
@@ -124,10 +122,8 @@ static gjk_parts any_field(random_state *random, body *b, int32_t size) {
     b->heights[i] = random_below(random, 20) == 0 ? GJK_HEIGHT_HOLE : (int16_t)random_range(random, -300, 300);
   }
   b->heights[0] = b->heights[1] = b->heights[columns] = b->heights[columns + 1] = 0;
-  const gjk_height_field field = {b->heights, (uint16_t)columns, (uint16_t)rows, size / 2, size / 2, size / 512 + 1};
-  b->field = field;
-  const gjk_parts parts = GJK_PARTS_OF_HEIGHT_FIELD(&b->field);
-  return parts;
+  b->field = (gjk_height_field){b->heights, (uint16_t)columns, (uint16_t)rows, size / 2, size / 2, size / 512 + 1};
+  return (gjk_parts)GJK_PARTS_OF_HEIGHT_FIELD(&b->field);
 }
 
 static void make_links(random_state *random, int32_t size) {

@@ -34,8 +34,7 @@ typedef struct campaign {
 #include "campaign.h"
 
 static gjk_vec3 vec3(int64_t x, int64_t y, int64_t z) {
-  const gjk_vec3 v = {(gjk_q16)x, (gjk_q16)y, (gjk_q16)z};
-  return v;
+  return (gjk_vec3){(gjk_q16)x, (gjk_q16)y, (gjk_q16)z};
 }
 
 // From where it stands by a part of a way; the part is k of n.

@@ -15,8 +15,7 @@
 #define SEED 3310
 
 static gjk_vec3 vec(int32_t x, int32_t y, int32_t z) {
-  const gjk_vec3 v = {x, y, z};
-  return v;
+  return (gjk_vec3){x, y, z};
 }
 
 // One component alone.

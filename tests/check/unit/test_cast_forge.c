@@ -111,9 +111,8 @@ static void make(random_state *random, trial *t) {
     t->collider[i] = posed(&t->shape[i], &pose);
     t->to[i] = flattened(spread(random, i == 0 ? size : 2 * size), axes);
   }
-  const gjk_cast_path path = {random_below(random, 3) == 0 ? &t->to[0] : NULL, &t->to[1],
-                              rounded ? random_range(random, 0, size / 4) : 0};
-  t->path = path;
+  t->path = (gjk_cast_path){random_below(random, 3) == 0 ? &t->to[0] : NULL, &t->to[1],
+                            rounded ? random_range(random, 0, size / 4) : 0};
 }
 
 static gjk_status status_of(const trial *t, const gjk_cast_result *r) {

@@ -194,8 +194,7 @@ static gjk_vec3 place_around(random_state *random, const aligned *shapes, int64_
     const int64_t chosen = random_below(random, 3) == 0 ? (random_below(random, 2) == 0 ? near : -near) : any;
     x[k] = (int32_t)(chosen > 1 << 29 ? 1 << 29 : chosen < -(1 << 29) ? -(1 << 29) : chosen);
   }
-  const gjk_vec3 v = {x[0], x[1], x[2]};
-  return v;
+  return (gjk_vec3){x[0], x[1], x[2]};
 }
 
 static void test_aligned(void) {

@@ -55,8 +55,7 @@ static bool sweep(const gjk_collider *b, const exact_point *by, swept *out) {
     there->y = here->y + (gjk_q16)by->x[1];
     there->z = here->z + (gjk_q16)by->x[2];
   }
-  const gjk_shape hull = GJK_ROUNDED_HULL(out->vertices, (uint16_t)(2 * count), b->shape->convex_radius);
-  out->shape = hull;
+  out->shape = (gjk_shape)GJK_ROUNDED_HULL(out->vertices, (uint16_t)(2 * count), b->shape->convex_radius);
   memset(&out->collider, 0, sizeof out->collider);
   return gjk_collider_init(&out->collider, &out->shape, out->buffer, 2 * VERTICES) == GJK_OK &&
          gjk_collider_pose(&out->collider, &pose) == GJK_OK;
@@ -107,8 +106,7 @@ static exact_point place_at(const campaign *t, gjk_q30 fraction, bool nearest) {
 }
 
 static gjk_vec3 moved(const gjk_vec3 *from, const exact_point *by) {
-  const gjk_vec3 to = {(gjk_q16)(from->x + by->x[0]), (gjk_q16)(from->y + by->x[1]), (gjk_q16)(from->z + by->x[2])};
-  return to;
+  return (gjk_vec3){(gjk_q16)(from->x + by->x[0]), (gjk_q16)(from->y + by->x[1]), (gjk_q16)(from->z + by->x[2])};
 }
 
 // The gap is the margin at the fraction, and was more before. A place is off the way by up to 0.87 LSB, and 2^-30 of the

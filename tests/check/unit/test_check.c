@@ -83,16 +83,14 @@ static void test_directions(void) {
   const gjk_collider near = placed_at(&dot, 1, 0, 0), origin = placed_at(&dot, 0, 0, 0);
   for (int bits = 28; bits <= 29; bits++) {
     const gjk_q16 size = 3 * (INT32_C(1) << bits);
-    const gjk_vec3 diagonal = {-size, size, size};
-    decision.certificate.direction = diagonal;
+    decision.certificate.direction = (gjk_vec3){-size, size, size};
     CHECK(gjk_check_decision(&near, &origin, 0, &decision) == (bits == 28 ? GJK_OK : GJK_ERROR_UNPROVEN));
     CHECK(gjk_check_decision(&near, &origin, 1, &decision) == GJK_ERROR_UNPROVEN);
   }
   // With the convex radii the asked distance needs more than 31 bits.
   static const gjk_shape ball = GJK_SPHERE(ONE);
   const gjk_collider p = placed_at(&ball, 0, 0, 0), q = placed_at(&ball, 5 * ONE, 0, 0);
-  const gjk_vec3 along = {ONE, 0, 0};
-  decision.certificate.direction = along;
+  decision.certificate.direction = (gjk_vec3){ONE, 0, 0};
   CHECK(gjk_check_decision(&p, &q, 3 * ONE - 1, &decision) == GJK_OK);
   CHECK(gjk_check_decision(&p, &q, 3 * ONE, &decision) == GJK_ERROR_UNPROVEN);
   CHECK(gjk_check_decision(&p, &q, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);

@@ -301,8 +301,7 @@ static void test_fewer(void) {
                                                 : side2,
                                     axis == 2 ? up : side2),
                                  axes[axis], EIGHTH_TURN + random_range(&random, -ONE / 8, ONE / 8));
-    const case_posed now = {flat, flat, origin, turn};
-    shown = now;
+    shown = (case_posed){flat, flat, origin, turn};
     check_trial((unsigned long)i, case_show_posed, &shown);
     a = posed(&flat, &origin);
     b = posed(&flat, &turn);
@@ -352,10 +351,8 @@ static void test_crossing_faces(void) {
   for (int i = 0; i < 24; i++) {
     const double angle = 6.283185307179586 * (i % 12) / 12, step = angle + 0.09;
     const gjk_q16 z = i < 12 ? -ONE : ONE;
-    const gjk_vec3 v = {(gjk_q16)(ONE * cos(angle)), (gjk_q16)(ONE * sin(angle)), z},
-                   w = {(gjk_q16)(ONE * cos(step)), (gjk_q16)(ONE * sin(step)), z};
-    star[0][i] = v;
-    star[1][i] = w;
+    star[0][i] = (gjk_vec3){(gjk_q16)(ONE * cos(angle)), (gjk_q16)(ONE * sin(angle)), z};
+    star[1][i] = (gjk_vec3){(gjk_q16)(ONE * cos(step)), (gjk_q16)(ONE * sin(step)), z};
     around[i] = (uint16_t)(i < 12 ? 5 * (11 - i) % 12 : 12 + 5 * (i - 12) % 12);
   }
   const gjk_shape one = GJK_HULL_WITH_FACES(star[0], 24, &faces), two = GJK_HULL_WITH_FACES(star[1], 24, &faces);

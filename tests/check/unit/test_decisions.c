@@ -119,8 +119,7 @@ static void set_hull(case_shape *shape, const gjk_vec3 *vertices, size_t count) 
 }
 
 static gjk_vec3 lattice_point(unsigned number) {
-  const gjk_vec3 v = {(gjk_q16)(number & 3) - 1, (gjk_q16)(number >> 2 & 3) - 1, (gjk_q16)(number >> 4 & 3) - 1};
-  return v;
+  return (gjk_vec3){(gjk_q16)(number & 3) - 1, (gjk_q16)(number >> 2 & 3) - 1, (gjk_q16)(number >> 4 & 3) - 1};
 }
 
 // Every segment between points of a 4 x 4 x 4 lattice, also degenerate ones, against small shapes in its middle.

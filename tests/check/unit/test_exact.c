@@ -98,8 +98,7 @@ static void make_hull(hand_made *out, const int32_t (*vertices)[3], unsigned cou
   memset(&out->collider, 0, sizeof out->collider);
   out->shape = shape;
   for (unsigned i = 0; i < count; i++) {
-    const gjk_vec3 v = {vertices[i][0], vertices[i][1], vertices[i][2]};
-    out->vertices[i] = v;
+    out->vertices[i] = (gjk_vec3){vertices[i][0], vertices[i][1], vertices[i][2]};
   }
   out->collider.shape = &out->shape;
   out->collider.buffer = out->vertices;

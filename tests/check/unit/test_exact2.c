@@ -56,9 +56,8 @@ static void lift(const exact2_point *point, unsigned n, gjk_q16 radius, gjk_q16 
   out->pose.position.x = (gjk_q16)origin.x;
   out->pose.position.y = (gjk_q16)origin.y;
   for (unsigned i = 0; i < n * layers; i++) {
-    const gjk_vec3 v = {(gjk_q16)(point[i % n].x - origin.x), (gjk_q16)(point[i % n].y - origin.y),
-                        i < n ? -height : height};
-    out->vertices[i] = v;
+    out->vertices[i] = (gjk_vec3){(gjk_q16)(point[i % n].x - origin.x), (gjk_q16)(point[i % n].y - origin.y),
+                                  i < n ? -height : height};
   }
 }
 

@@ -17,8 +17,7 @@ static case_collider a, b;
 
 static exact_point way_of(const case_shape *shape) {
   const gjk_vec3 *p = &shape->pose.position, *q = &shape->end.position;
-  const exact_point way = {{(int64_t)q->x - p->x, (int64_t)q->y - p->y, (int64_t)q->z - p->z}};
-  return way;
+  return (exact_point){{(int64_t)q->x - p->x, (int64_t)q->y - p->y, (int64_t)q->z - p->z}};
 }
 
 static const exact_point nowhere = {{0, 0, 0}};

@@ -26,9 +26,8 @@ static gjk_vec3 diagonal_vector(random_state *random) {
   const long double length = ldexpl(1 + random_range(random, 1, 1000) / 1e6L, 30) / sqrtl(x * x + y * y + z * z);
   const int32_t sign = random_below(random, 2) == 0 ? 1 : -1;
   const int32_t odd = random_below(random, 2) == 0;
-  const gjk_vec3 v = {sign * ((int32_t)(x * length) | odd), sign * ((int32_t)(y * length) | odd),
-                      sign * ((int32_t)(z * length) | odd)};
-  return v;
+  return (gjk_vec3){sign * ((int32_t)(x * length) | odd), sign * ((int32_t)(y * length) | odd),
+                    sign * ((int32_t)(z * length) | odd)};
 }
 
 static void test_balls(void) {

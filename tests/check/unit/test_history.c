@@ -270,9 +270,7 @@ typedef struct story {
 
 static gjk_scene_bindings bindings_of(history *h) {
   static const gjk_workspace workspace = {cells, CELLS + 10};
-  const gjk_scene_bindings bindings = {
-      .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &h->manifold};
-  return bindings;
+  return (gjk_scene_bindings){.details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &h->manifold};
 }
 
 // Fills the room for reports with bytes that differ every time.

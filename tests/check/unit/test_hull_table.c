@@ -31,9 +31,8 @@ static gjk_vec3 on_sphere(random_state *random, double radius) {
     const gjk_vec3 v = random_in_cube(random, INT32_C(1) << 20);
     const double length = sqrt((double)v.x * v.x + (double)v.y * v.y + (double)v.z * v.z);
     if (length > 1000 && length <= 1 << 20) {
-      const gjk_vec3 at = {(int32_t)(v.x / length * radius), (int32_t)(v.y / length * radius),
-                           (int32_t)(v.z / length * radius)};
-      return at;
+      return (gjk_vec3){(int32_t)(v.x / length * radius), (int32_t)(v.y / length * radius),
+                        (int32_t)(v.z / length * radius)};
     }
   }
 }

@@ -33,13 +33,11 @@ static void show(const void *subject) {
 }
 
 static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 v = {a.x + b.x, a.y + b.y, a.z + b.z};
-  return v;
+  return (gjk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 static gjk_vec3 difference(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 v = {a.x - b.x, a.y - b.y, a.z - b.z};
-  return v;
+  return (gjk_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 // Turns not at all, to another rotation, or by a spin of up to three turns; some by hundreds.

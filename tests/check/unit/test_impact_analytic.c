@@ -16,8 +16,7 @@
 static const gjk_motion rest = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
 
 static gjk_vec3 vec(double x, double y, double z) {
-  const gjk_vec3 v = {(gjk_q16)lround(x * UNIT), (gjk_q16)lround(y * UNIT), (gjk_q16)lround(z * UNIT)};
-  return v;
+  return (gjk_vec3){(gjk_q16)lround(x * UNIT), (gjk_q16)lround(y * UNIT), (gjk_q16)lround(z * UNIT)};
 }
 
 static gjk_motion standing(double x, double y, double z) {

@@ -73,10 +73,9 @@ static void show(const void *subject) {
 
 static gjk_vec3 any_position(random_state *random) {
   const unsigned down = random_below(random, 32);
-  const gjk_vec3 v = {(gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
-                      (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
-                      (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down)};
-  return v;
+  return (gjk_vec3){(gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
+                    (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
+                    (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down)};
 }
 
 // A rotation that differs from q by a few LSB, by any part of a turn, or by nearly half a turn.

@@ -67,13 +67,11 @@ static void set_clearance(const trial *t, clearance *c) {
 }
 
 static gjk_vec3 scaled(gjk_vec3 v, int32_t times) {
-  const gjk_vec3 w = {v.x * times, v.y * times, v.z * times};
-  return w;
+  return (gjk_vec3){v.x * times, v.y * times, v.z * times};
 }
 
 static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 v = {a.x + b.x, a.y + b.y, a.z + b.z};
-  return v;
+  return (gjk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 // A long thin body: a segment, a box or a hull, up to 100,000 times as long as thick, with its middle or an end at the
@@ -97,9 +95,8 @@ static void make_thin(random_state *random, gjk_q16 half, case_shape *out) {
       out->kind = CASE_HULL;
       case_shape_set_count(out, 6);
       for (int i = 0; i < 6; i++) {
-        const gjk_vec3 end = {i < 3 ? 0 : 2 * half, random_range(random, -thick, thick),
-                              random_range(random, -thick, thick)};
-        out->vertices[i] = end;
+        out->vertices[i] =
+            (gjk_vec3){i < 3 ? 0 : 2 * half, random_range(random, -thick, thick), random_range(random, -thick, thick)};
       }
   }
   out->pose.rotation = random_rotation(random);

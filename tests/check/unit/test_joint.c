@@ -15,8 +15,7 @@ static real_quat about(const gjk_vec3 *axis, gjk_angle angle) {
   const long double n =
       sqrtl((long double)axis->x * axis->x + (long double)axis->y * axis->y + (long double)axis->z * axis->z);
   const long double half = angle / 131072.0L, s = sinl(half) / n;
-  const real_quat r = {axis->x * s, axis->y * s, axis->z * s, cosl(half)};
-  return r;
+  return (real_quat){axis->x * s, axis->y * s, axis->z * s, cosl(half)};
 }
 
 // *origin += v turned by q.
@@ -52,8 +51,7 @@ static gjk_quat any_rotation(random_state *random) {
   const gjk_vec3 axis = any_vector(random, 30);
   (void)gjk_quat_from_axis_angle(&axis, (gjk_angle)random_u32(random), &q);
   const long double scale = 1 + random_range(random, -8000, 8000) / ONE;
-  const gjk_quat r = {(gjk_q30)(q.x * scale), (gjk_q30)(q.y * scale), (gjk_q30)(q.z * scale), (gjk_q30)(q.w * scale)};
-  return r;
+  return (gjk_quat){(gjk_q30)(q.x * scale), (gjk_q30)(q.y * scale), (gjk_q30)(q.z * scale), (gjk_q30)(q.w * scale)};
 }
 
 static void make_arm(random_state *random, unsigned count, unsigned bits) {

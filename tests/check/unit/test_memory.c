@@ -142,8 +142,7 @@ static void test_pairs(void) {
         pose.position.x = i == 0 ? 0 : random_range(&random, -reach, reach) * (i > 8 ? 2 : 1);
         pose.position.y = i == 0 ? 0 : random_range(&random, -reach, reach) * (i > 8 ? 2 : 1);
         pose.position.z = i == 0 ? 0 : random_range(&random, -reach, reach) * (i > 8 ? 2 : 1);
-        const case_posed now = {shapes[a], shapes[b], origin, pose};
-        posed = now;
+        posed = (case_posed){shapes[a], shapes[b], origin, pose};
         check_trial((unsigned long)i, case_show_posed, &posed);
         check_pair(&shapes[a], &shapes[b], &origin, &pose);
       }

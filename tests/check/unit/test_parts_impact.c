@@ -153,9 +153,8 @@ static void set_motions(random_state *random, gjk_q16 spread, question *q) {
   if (random_below(random, 2) == 0) {
     q->motion[1].spin = random_vector(random, 400000);
   }
-  const gjk_impact_setup setup = {random_below(random, 2) == 0 ? 0 : random_range(random, 0, 1000), 2048,
-                                  random_below(random, 3) == 0 ? (uint8_t)(1 + random_below(random, 3)) : 0};
-  q->setup = setup;
+  q->setup = (gjk_impact_setup){random_below(random, 2) == 0 ? 0 : random_range(random, 0, 1000), 2048,
+                                random_below(random, 3) == 0 ? (uint8_t)(1 + random_below(random, 3)) : 0};
 }
 
 static void make_field(random_state *random, gjk_q16 spread) {
@@ -163,8 +162,7 @@ static void make_field(random_state *random, gjk_q16 spread) {
     heights[k] = (int16_t)(random_below(random, 8) == 0 ? GJK_HEIGHT_HOLE : random_range(random, -200, 200));
   }
   heights[0] = heights[1] = heights[SIDE + 1] = heights[SIDE + 2] = 0;
-  const gjk_height_field made = {heights, SIDE + 1, SIDE + 1, spread / SIDE + 1, spread / SIDE + 1, spread / 400 + 1};
-  field = made;
+  field = (gjk_height_field){heights, SIDE + 1, SIDE + 1, spread / SIDE + 1, spread / SIDE + 1, spread / 400 + 1};
 }
 
 // Bodies that stand still: they overlap at the start, or miss.

@@ -29,17 +29,15 @@ static gjk_height_field field;
 static unsigned long ties, hits, misses, walked, asked, touching, crowds;
 
 static gjk_vec3 lattice(random_state *random, int32_t from, int32_t to, int32_t step) {
-  const gjk_vec3 v = {random_range(random, from, to) * step, random_range(random, from, to) * step,
-                      random_range(random, from, to) * step};
-  return v;
+  return (gjk_vec3){random_range(random, from, to) * step, random_range(random, from, to) * step,
+                    random_range(random, from, to) * step};
 }
 
 // Crates on a lattice, some at one place.
 static gjk_parts crates(random_state *random, uint16_t count) {
   gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
   for (uint16_t i = 0; i < count; i++) {
-    const gjk_compound_part part = {&crate, GJK_POSE_IDENTITY};
-    parts[i] = part;
+    parts[i] = (gjk_compound_part){&crate, GJK_POSE_IDENTITY};
     parts[i].pose.position = lattice(random, -3, 3, STEP);
   }
   CHECK(gjk_compound_build(parts, count, nodes, GJK_COMPOUND_NODES(PARTS), &compound) == GJK_OK);

@@ -74,9 +74,8 @@ static bool move(gjk_collider *collider, const exact_point *t) {
 }
 
 static exact_point step_of(random_state *random, int32_t most) {
-  const exact_point t = {
+  return (exact_point){
       {random_range(random, -most, most), random_range(random, -most, most), random_range(random, -most, most)}};
-  return t;
 }
 
 static void check_elsewhere(campaign *c) {

@@ -35,8 +35,7 @@ static gjk_quat random_turn(random_state *random) {
 }
 
 static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 s = {a.x + b.x, a.y + b.y, a.z + b.z};
-  return s;
+  return (gjk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 static gjk_q16 random_depth(random_state *random, gjk_q16 below) {
@@ -47,8 +46,7 @@ static gjk_q16 random_depth(random_state *random, gjk_q16 below) {
 static void show(unsigned long number, const gjk_shape *a, gjk_vec3 at_a, const gjk_quat *turn_a, const gjk_shape *b,
                  gjk_vec3 at_b, const gjk_quat *turn_b) {
   static case_posed posed;
-  const case_posed now = {*a, *b, {at_a, *turn_a}, {at_b, *turn_b}};
-  posed = now;
+  posed = (case_posed){*a, *b, {at_a, *turn_a}, {at_b, *turn_b}};
   check_trial(number, case_show_posed, &posed);
 }
 

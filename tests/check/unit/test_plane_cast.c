@@ -557,8 +557,7 @@ static void test_curved(random_state *r) {
     check_trial(i, NULL, NULL);
     const int32_t size = random_below(r, 2) == 0 ? 2000 : 300000;
     plane_random_pair(r, size, size * 2, c.pair);
-    const gjk2_shape ellipse = GJK2_ELLIPSE(random_range(r, 1, size), random_range(r, 1, size));
-    c.pair[0].shape = ellipse;
+    c.pair[0].shape = (gjk2_shape)GJK2_ELLIPSE(random_range(r, 1, size), random_range(r, 1, size));
     c.moves_a = false;
     c.margin = random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4);
     const gjk2_vec from = c.pair[1].pose.position, at = c.pair[0].pose.position, other = c.pair[1].collider.centre;

@@ -58,8 +58,7 @@ static uint16_t make_ground(random_state *r, ground kind) {
 }
 
 static gjk2_vec difference(gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec d = {p.x - q.x, p.y - q.y};
-  return d;
+  return (gjk2_vec){p.x - q.x, p.y - q.y};
 }
 
 static int64_t cross(gjk2_vec p, gjk2_vec q) {
@@ -252,8 +251,7 @@ static void check_loop(random_state *r, int32_t size) {
   const gjk2_collider *body = &pair[1].collider;
   const gjk2_shape solid = GJK2_POLYGON(pair[0].vertices, (uint16_t)(3 + random_below(r, 10)));
   pair[0].shape = solid;
-  const gjk2_rotation none = {GJK_Q30_ONE, 0};
-  pair[0].pose.rotation = none;
+  pair[0].pose.rotation = (gjk2_rotation){GJK_Q30_ONE, 0};
   CHECK(gjk2_polygon_order(pair[0].vertices, solid.count, loop, &corners) == GJK_OK);
   if (corners < 3) {
     return;
@@ -320,9 +318,8 @@ static long double reach_of(const gjk2_collider *body, long double nx, long doub
 }
 
 static plane_point placed(const gjk2_chain *chain, int i) {
-  const plane_point p = {(int64_t)chain->vertices[i].x + chain->position.x,
-                         (int64_t)chain->vertices[i].y + chain->position.y};
-  return p;
+  return (plane_point){(int64_t)chain->vertices[i].x + chain->position.x,
+                       (int64_t)chain->vertices[i].y + chain->position.y};
 }
 
 static bool same_contact(const gjk2_chain_contact *p, const gjk2_chain_contact *q) {

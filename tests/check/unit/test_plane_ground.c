@@ -620,8 +620,7 @@ static void check_statuses(void) {
   CHECK(gjk2_ground_of_tiles(&t, &out, &made) == GJK_ERROR_EMPTY);
   CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_OK);
   plane_body point;
-  const gjk2_shape dot = GJK2_POINT;
-  point.shape = dot;
+  point.shape = (gjk2_shape)GJK2_POINT;
   CHECK(gjk2_collider_init(&point.collider, &point.shape, NULL, 0) == GJK_OK);
   CHECK(gjk2_ground_within(&out, &identity, &point.collider, 0, &yes) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk2_collider_pose(&point.collider, &identity) == GJK_OK);

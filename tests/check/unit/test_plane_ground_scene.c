@@ -77,9 +77,8 @@ typedef struct stage {
 static stage whole, retested, sliced, copied;
 
 static gjk2_scene_bindings bindings_of(stage *s) {
-  const gjk2_scene_bindings b = {
+  return (gjk2_scene_bindings){
       .details = &gjk2_scene_contacts, .manifolds = s->manifolds, .motion = &gjk2_scene_motion};
-  return b;
 }
 
 static gjk2_pose any_pose(random_state *r, int32_t spread) {

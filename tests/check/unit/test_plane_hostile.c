@@ -34,8 +34,7 @@ static void check_tiny(random_state *r, plane_body *pair) {
       pair[i].vertices[k] = plane_random_vec(r, size);
     }
     CHECK(gjk2_polygon_order(pair[i].vertices, count, pair[i].vertices, &count) == GJK_OK);
-    const gjk2_shape polygon = GJK2_POLYGON(pair[i].vertices, count);
-    pair[i].shape = polygon;
+    pair[i].shape = (gjk2_shape)GJK2_POLYGON(pair[i].vertices, count);
     pair[i].pose.position.x = i * random_range(r, -6, 6);
     pair[i].pose.position.y = 0;
   }
@@ -96,11 +95,10 @@ static void check_far(random_state *r, plane_body *pair) {
     pair[i].pose.position.x = 0;
     pair[i].pose.position.y = 0;
     plane_place(&pair[i], true);
-    const gjk2_vec end = {random_below(r, 4) == 0   ? INT32_MAX
-                          : random_below(r, 3) == 0 ? INT32_MIN
-                                                    : (int32_t)random_u32(r),
-                          random_below(r, 4) == 0 ? INT32_MIN : (int32_t)random_u32(r)};
-    pair[i].pose.position = end;
+    pair[i].pose.position = (gjk2_vec){random_below(r, 4) == 0   ? INT32_MAX
+                                       : random_below(r, 3) == 0 ? INT32_MIN
+                                                                 : (int32_t)random_u32(r),
+                                       random_below(r, 4) == 0 ? INT32_MIN : (int32_t)random_u32(r)};
     if (gjk2_collider_pose(&pair[i].collider, &pair[i].pose) != GJK_OK) {
       return;
     }

@@ -69,8 +69,7 @@ static void add_shape(const plane_point *corner, int count, int step) {
     s->vertices[i].x = (gjk_q16)p->x;
     s->vertices[i].y = (gjk_q16)p->y;
   }
-  const gjk2_shape polygon = GJK2_POLYGON(s->vertices, (uint16_t)count);
-  s->shape = polygon;
+  s->shape = (gjk2_shape)GJK2_POLYGON(s->vertices, (uint16_t)count);
   CHECK(gjk2_collider_init(&s->collider, &s->shape, s->buffer, CORNERS_MAX) == GJK_OK);
   CHECK(gjk2_collider_pose(&s->collider, &identity) == GJK_OK);
 }

@@ -67,8 +67,7 @@ static void check_path(random_state *random) {
   const gjk2_part part[2] = {{0, false, GJK2_POSE_IDENTITY}, {1, false, GJK2_POSE_IDENTITY}};
   gjk2_body_setup setup[2];
   for (int i = 0; i < 2; i++) {
-    const gjk2_body_setup s = {body[i].pose, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
-    setup[i] = s;
+    setup[i] = (gjk2_body_setup){body[i].pose, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
   }
   start(&quick, random_below(random, 2) == 0 ? &quick_config : &contacts_config, quick_block, shapes, setup);
   start(&plain, &plain_config, plain_block, shapes, setup);

@@ -54,14 +54,12 @@ static void check_worst(const worst *at) {
 // v turned by the unit quaternion q = u + w: v + 2 w (u x v) + 2 u x (u x v).
 static real3 real_apply(real_quat q, real3 v) {
   const real3 t = {2 * (q.y * v.z - q.z * v.y), 2 * (q.z * v.x - q.x * v.z), 2 * (q.x * v.y - q.y * v.x)};
-  const real3 turned = {v.x + q.w * t.x + q.y * t.z - q.z * t.y, v.y + q.w * t.y + q.z * t.x - q.x * t.z,
-                        v.z + q.w * t.z + q.x * t.y - q.y * t.x};
-  return turned;
+  return (real3){v.x + q.w * t.x + q.y * t.z - q.z * t.y, v.y + q.w * t.y + q.z * t.x - q.x * t.z,
+                 v.z + q.w * t.z + q.x * t.y - q.y * t.x};
 }
 
 static real3 real_vec3(const gjk_vec3 *v) {
-  const real3 r = {v->x, v->y, v->z};
-  return r;
+  return (real3){v->x, v->y, v->z};
 }
 
 // A number of any size from 0 to the ends of int32_t, these included.
@@ -90,9 +88,8 @@ static gjk_q16 random_angle(random_state *random) {
 }
 
 static gjk_quat quat_of(real_quat q, long double length) {
-  const gjk_quat rounded = {(gjk_q30)llroundl(q.x * length * ONE), (gjk_q30)llroundl(q.y * length * ONE),
-                            (gjk_q30)llroundl(q.z * length * ONE), (gjk_q30)llroundl(q.w * length * ONE)};
-  return rounded;
+  return (gjk_quat){(gjk_q30)llroundl(q.x * length * ONE), (gjk_q30)llroundl(q.y * length * ONE),
+                    (gjk_q30)llroundl(q.z * length * ONE), (gjk_q30)llroundl(q.w * length * ONE)};
 }
 
 // A quaternion whose length is within the tolerance, in half of them just so; some are along the axes.
@@ -124,8 +121,7 @@ static gjk_vec3 random_within(random_state *random, int32_t length) {
   const gjk_vec3 v = random_vec3(random);
   const real3 r = real_vec3(&v);
   const long double norm = sqrtl(r.x * r.x + r.y * r.y + r.z * r.z), scale = norm > length ? length / norm : 1;
-  const gjk_vec3 shorter = {(gjk_q16)(r.x * scale), (gjk_q16)(r.y * scale), (gjk_q16)(r.z * scale)};
-  return shorter;
+  return (gjk_vec3){(gjk_q16)(r.x * scale), (gjk_q16)(r.y * scale), (gjk_q16)(r.z * scale)};
 }
 
 static void test_axis_angle(random_state *random) {

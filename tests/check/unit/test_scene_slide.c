@@ -71,8 +71,7 @@ static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 positio
   }
 #else
   if (shape == &man) {
-    const gjk_quat upright = {0, GJK_Q30_ONE};
-    pose.rotation = upright;
+    pose.rotation = (gjk_quat){0, GJK_Q30_ONE};
   }
 #endif
   *c = posed(shape, &pose);

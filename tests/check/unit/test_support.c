@@ -13,8 +13,7 @@
 #define TRIALS ((int)check_trials(100000))
 
 static gjk_vec3 difference(const exact_point *a, const exact_point *b) {
-  const gjk_vec3 v = {(int32_t)(a->x[0] - b->x[0]), (int32_t)(a->x[1] - b->x[1]), (int32_t)(a->x[2] - b->x[2])};
-  return v;
+  return (gjk_vec3){(int32_t)(a->x[0] - b->x[0]), (int32_t)(a->x[1] - b->x[1]), (int32_t)(a->x[2] - b->x[2])};
 }
 
 // A normal of up to 61 bits that is across an edge of the collider, or almost.

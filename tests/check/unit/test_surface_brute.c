@@ -339,8 +339,7 @@ int main(void) {
     const int32_t step = 1 << random_range(&random, 5, 18);
     surface_make(&random, (surface_kind)(i % SURFACE_KINDS), 1 + random_below(&random, 80), step,
                  random_below(&random, 2) == 0, &t.ground);
-    const gjk_parts made = GJK_PARTS_OF_MESH(&t.ground.mesh);
-    t.parts = made;
+    t.parts = (gjk_parts)GJK_PARTS_OF_MESH(&t.ground.mesh);
     t.parts.pose.position = random_vector(&random, random_below(&random, 2) == 0 ? 100000 : 1.0e9);
     if (random_below(&random, 3) > 0) {
       t.parts.pose.rotation = random_rotation(&random);

@@ -188,8 +188,7 @@ static gjk_vec3 turn(gjk_vec3 v, unsigned order, unsigned reversed, int32_t offs
     const gjk_q16 from = x[(order < 3 ? order + i : order + 3 - i) % 3];
     y[i] = (reversed >> i & 1u) != 0 ? offset - from : from;
   }
-  const gjk_vec3 turned = {y[0], y[1], y[2]};
-  return turned;
+  return (gjk_vec3){y[0], y[1], y[2]};
 }
 
 static void turn_shape(case_shape *shape, unsigned order, unsigned reversed) {
