@@ -13,6 +13,14 @@ static inline bool same_unit3(const gjk_unit3 *p, const gjk_unit3 *q) {
   return p->x == q->x && p->y == q->y && p->z == q->z;
 }
 
+static inline bool same_quat(const gjk_quat *p, const gjk_quat *q) {
+  return p->x == q->x && p->y == q->y && p->z == q->z && p->w == q->w;
+}
+
+static inline bool same_pose(const gjk_pose *p, const gjk_pose *q) {
+  return same_vec3(&p->position, &q->position) && same_quat(&p->rotation, &q->rotation);
+}
+
 static inline bool same_gap(const gjk_distance_result *p, const gjk_distance_result *q) {
   return p->distance == q->distance && p->lower == q->lower && p->upper == q->upper &&
          p->intersecting == q->intersecting && p->saturated == q->saturated && same_vec3(&p->point_a, &q->point_a) &&

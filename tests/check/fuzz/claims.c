@@ -48,7 +48,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   random_state random = random_seed(seed_of(&bytes)), ways = random_seed(seed_of(&bytes));
   forge_claim other, claim;
   forge_pair(&random, VERTICES, &pair);
-  if (case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK) {
+  if (!case_pair_build(&pair, false, &a, &b)) {
     return 0;
   }
   exact_claims_open(&a.collider, &b.collider, why, sizeof why, &claims);

@@ -73,7 +73,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     case_print(stdout, &pair);
     fflush(stdout);
   }
-  if (case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK) {
+  if (!case_pair_build(&pair, false, &a, &b)) {
     return 0;
   }
   why[0] = '\0';

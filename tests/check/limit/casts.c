@@ -82,7 +82,7 @@ static case_pair pair;
 static case_collider a, b;
 
 static bool build(void) {
-  return case_collider_build(&a, &pair.a, false) == GJK_OK && case_collider_build(&b, &pair.b, false) == GJK_OK;
+  return case_pair_build(&pair, false, &a, &b);
 }
 
 static void ask_polytopes(random_state *random) {
@@ -212,9 +212,7 @@ int main(void) {
   ask_rounded(&random, check_trials(CURVED), true);
   ask_plane(&random);
   ask_thin(&random);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   printf("# %lu answered, %lu open, %lu of them bounded away from the start\n", counted - opened, opened, safe);
   return check_done("casts");
 }

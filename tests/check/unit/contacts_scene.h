@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 
 #define ONE GJK_Q16_ONE
 #define HALF (ONE / 2)
@@ -42,19 +43,10 @@ static inline gjk_pose turned(gjk_pose pose, const gjk_vec3 *axis, gjk_angle ang
   return pose;
 }
 
-static inline void place(const gjk_shape *shape, const gjk_pose *pose, gjk_collider *out) {
-  memset(out, 0, sizeof *out);
-  CHECK(gjk_collider_init(out, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(out, pose) == GJK_OK);
-}
-
 static inline gjk_manifold meet(const gjk_shape *a, gjk_pose pose_a, const gjk_shape *b, gjk_pose pose_b,
                                 unsigned most) {
-  gjk_collider one, two;
-  gjk_manifold m;
-  memset(&m, 0, sizeof m);
-  place(a, &pose_a, &one);
-  place(b, &pose_b, &two);
+  const gjk_collider one = posed(a, &pose_a), two = posed(b, &pose_b);
+  gjk_manifold m = {0};
   CHECK(gjk_contacts(&one, &two, MARGIN, most, NULL, &workspace, &m) == GJK_OK);
   return m;
 }
@@ -73,6 +65,23 @@ static inline bool has_point(const gjk_manifold *m, gjk_q16 x, gjk_q16 y, gjk_q1
   }
   return false;
 }
+
+typedef struct known_point {
+  gjk_q16 x, y, distance;
+} known_point;
+
+// So many contacts, among them the known ones.
+static inline void check_points(const gjk_manifold *m, unsigned count, const known_point *known, size_t points,
+                                int line) {
+  CHECK_MSG(m->count == count, "line %d: %u", line, m->count);
+  for (size_t i = 0; i < points; i++) {
+    CHECK_MSG(has_point(m, known[i].x, known[i].y, known[i].distance), "line %d: point %u", line, (unsigned)i);
+  }
+}
+
+#define HAS(m, count, ...)                                      \
+  check_points(&(m), count, (const known_point[]){__VA_ARGS__}, \
+               sizeof((const known_point[]){__VA_ARGS__}) / sizeof(known_point), __LINE__)
 
 static inline bool has_corners(const gjk_manifold *m, gjk_q16 half, gjk_q16 distance) {
   return m->count == 4 && has_point(m, half, half, distance) && has_point(m, -half, half, distance) &&

@@ -12,14 +12,12 @@ typedef struct vec {
 } vec;
 
 static inline vec minus(gjk_vec3 a, gjk_vec3 b) {
-  const vec d = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z};
-  return d;
+  return (vec){(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z};
 }
 
 // Below 2^59 for differences of points.
 static inline vec cross(vec a, vec b) {
-  const vec n = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  return n;
+  return (vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 static inline wide dot(vec a, vec b) {
@@ -38,8 +36,7 @@ static inline face face_of(const hull_output *o, unsigned f) {
   const unsigned begin = f == 0 ? 0 : o->end[f - 1];
   const gjk_vec3 *v = o->vertex;
   const uint16_t *c = o->corner + begin;
-  const face own = {c, o->end[f] - begin, v[c[0]], cross(minus(v[c[1]], v[c[0]]), minus(v[c[2]], v[c[0]]))};
-  return own;
+  return (face){c, o->end[f] - begin, v[c[0]], cross(minus(v[c[1]], v[c[0]]), minus(v[c[2]], v[c[0]]))};
 }
 
 // The face that has the edge from b to a. -1: none or several.

@@ -34,18 +34,15 @@ typedef struct near_surface {
 } near_surface;
 
 static dvec of_vec3(const gjk_vec3 *v) {
-  const dvec d = {v->x, v->y, v->z};
-  return d;
+  return (dvec){v->x, v->y, v->z};
 }
 
 static dvec minus(dvec a, dvec b) {
-  const dvec d = {a.x - b.x, a.y - b.y, a.z - b.z};
-  return d;
+  return (dvec){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 static dvec add_scaled(dvec a, double s, dvec b) {
-  const dvec d = {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
-  return d;
+  return (dvec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
 }
 
 static double dot_of(dvec a, dvec b) {
@@ -53,8 +50,7 @@ static double dot_of(dvec a, dvec b) {
 }
 
 static dvec cross_of(dvec a, dvec b) {
-  const dvec d = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  return d;
+  return (dvec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 static double length_of(dvec a) {

@@ -170,6 +170,14 @@ static inline long double plane_distance_from(const gjk2_collider *c, const gjk2
   return inside ? 0 : least;
 }
 
+// Each component from -most to most.
+static inline gjk2_vec plane_random_vec(random_state *r, int32_t most) {
+  gjk2_vec v;
+  v.x = random_range(r, -most, most);
+  v.y = random_range(r, -most, most);
+  return v;
+}
+
 static inline gjk2_rotation plane_random_rotation(random_state *r) {
   gjk2_rotation rotation = {GJK_Q30_ONE, 0};
   switch (random_below(r, 4)) {
@@ -194,7 +202,7 @@ static inline void plane_random_shape(random_state *r, int32_t size, plane_body 
   const unsigned kind = random_below(r, 7);
   gjk2_shape shape = shapes[kind < 4 ? kind : 4];
   uint16_t count = (uint16_t)(1 + random_below(r, random_below(r, 4) == 0 ? PLANE_VERTICES : 9));
-  const gjk2_vec origin = {random_range(r, -size, size), random_range(r, -size, size)};
+  const gjk2_vec origin = plane_random_vec(r, size);
   const bool round = random_below(r, 2) == 0, line = random_below(r, 12) == 0;
   for (int i = 0; i < PLANE_VERTICES; i++) {
     gjk2_vec *v = &body->vertices[i];
@@ -237,7 +245,7 @@ static inline void plane_place(plane_body *body, bool baked) {
 
 // Two bodies of about size, spread apart from their common centre.
 static inline void plane_random_pair(random_state *r, int32_t size, int32_t spread, plane_body pair[2]) {
-  const gjk2_vec centre = {random_range(r, -1000000, 1000000), random_range(r, -1000000, 1000000)};
+  const gjk2_vec centre = plane_random_vec(r, 1000000);
   for (int i = 0; i < 2; i++) {
     plane_random_shape(r, size, &pair[i]);
     pair[i].pose.rotation = plane_random_rotation(r);

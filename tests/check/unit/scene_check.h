@@ -8,6 +8,7 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
+#include "scene_bodies.h"
 #include "src/scene/gjk_scene_block.h"
 
 #define ONE GJK_Q16_ONE
@@ -25,18 +26,13 @@ static gjk_body_id add(gjk_q16 x, uint16_t parts) {
   static const gjk_part part[3] = {{0, false, GJK_POSE_IDENTITY},
                                    {0, true, {{0, 3 * ONE, 0}, {0, 0, 0, GJK_Q30_ONE}}},
                                    {0, true, {{0, 6 * ONE, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
-  gjk_body_setup setup = {GJK_POSE_IDENTITY, part, parts, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
-  gjk_body_id body = {0, 0};
-  setup.pose.position.x = x;
-  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
-  return body;
+  const gjk_pose pose = scene_pose(x, 0);
+  return scene_add_parts(&scene, part, parts, GJK_BODY_DYNAMIC, &pose);
 }
 
 static void update(void) {
   gjk_report reports[30];
-  gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, reports, 30, &progress) == GJK_OK);
-  CHECK(progress.reports_left == 0);
+  (void)scene_update(&scene, reports, 30);
 }
 
 // Bodies in slots 0 to 35: three that touch, one of three parts, the others alone; every pool has a record that was given
@@ -48,12 +44,9 @@ static void build(void) {
     const gjk_q16 x = i < 3 ? i * (ONE / 2) : 10 * i * ONE;
     bodies[i] = add(x, i == 3 || i == 34 ? 3 : 1);
   }
-  gjk_pose away = GJK_POSE_IDENTITY;
-  away.position.x = 9 * 10 * ONE;
-  CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK);  // a pair for one update
+  scene_teleport_to(&scene, bodies[35], 9 * 10 * ONE, 0);  // a pair for one update
   update();
-  away.position.x = -99 * ONE;
-  CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK);
+  scene_teleport_to(&scene, bodies[35], -99 * ONE, 0);
   CHECK(gjk_scene_remove(&scene, bodies[34]) == GJK_OK);
   update();
   CHECK(gjk_scene_check(&scene) == GJK_OK);

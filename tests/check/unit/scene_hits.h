@@ -15,4 +15,13 @@ static int order_hits(const void *x, const void *y) {
   return 0;
 }
 
+static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
+  for (uint32_t i = 0; i < count; i++) {
+    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation || a[i].user != b[i].user) {
+      return false;
+    }
+  }
+  return true;
+}
+
 #endif

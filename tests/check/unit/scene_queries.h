@@ -33,15 +33,6 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
   return v;
 }
 
-static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
-  for (uint32_t i = 0; i < count; i++) {
-    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation || a[i].user != b[i].user) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // Does the way meet the box, and at which fraction? In 128 bits: the way in parts of the product of its lengths.
 static bool crosses(gjk_vec3 from, gjk_vec3 to, const gjk_aabb *box, uint32_t *fraction) {
   __extension__ typedef __int128 wide;

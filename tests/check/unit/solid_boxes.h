@@ -41,8 +41,7 @@ static void boxes_print(const void *subject) {
 
 // The solid of a text: rows from y = 0 up, separated by '/', layers by ' '. Cells are 'size' wide.
 static boxes boxes_of(const char *text, int32_t size) {
-  boxes b;
-  memset(&b, 0, sizeof b);
+  boxes b = {0};
   int x = 0, y = 0, z = 0;
   for (; *text != '\0'; text++) {
     if (*text == '/' || *text == ' ') {
@@ -79,8 +78,7 @@ static gjk_vec3 boxes_corner(const boxes *b, const int at[3]) {
       out[i] += b->turn[i][j] * x[j];
     }
   }
-  const gjk_vec3 point = {out[0], out[1], out[2]};
-  return point;
+  return (gjk_vec3){out[0], out[1], out[2]};
 }
 
 static void boxes_add_side(const boxes *b, mesh *m, int axis, bool high, const int cell[3]) {

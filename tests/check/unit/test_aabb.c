@@ -1,10 +1,10 @@
 // AABBs of colliders: exact for polytopes, at most 2 LSB too large for curved shapes, saturated at the ends of int32_t.
-#include <string.h>
 
 #include "check.h"
 #include "exact/exact.h"
 #include "generate/generate.h"
 #include "generate/polytope.h"
+#include "placed.h"
 #include "reference/accurate.h"
 #include "reference/random_shape.h"
 
@@ -31,18 +31,15 @@ static gjk_aabb box_of_vertices(const gjk_collider *c) {
       high[k] = at[k] > high[k] ? at[k] : high[k];
     }
   }
-  const gjk_aabb box = {{cut_off(low[0] - radius), cut_off(low[1] - radius), cut_off(low[2] - radius)},
-                        {cut_off(high[0] + radius), cut_off(high[1] + radius), cut_off(high[2] + radius)}};
-  return box;
+  return (gjk_aabb){{cut_off(low[0] - radius), cut_off(low[1] - radius), cut_off(low[2] - radius)},
+                    {cut_off(high[0] + radius), cut_off(high[1] + radius), cut_off(high[2] + radius)}};
 }
 
 static void test_polytopes(void) {
   random_state random = random_seed(check_seed(SEED));
-  case_shape shape;
-  case_collider c;
+  case_shape shape = {0};
+  case_collider c = {0};
   unsigned long cut = 0;
-  memset(&shape, 0, sizeof shape);
-  memset(&c, 0, sizeof c);
   for (int i = 0; i < TRIALS; i++) {
     check_trial((unsigned long)i, NULL, NULL);
     generate_polytope(&random, generate_kind(&random), generate_reach(&random), &shape);
@@ -83,11 +80,8 @@ static void test_curved(void) {
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
     const gjk_pose pose = {{-5, 77, 900}, {0, 0, 0, GJK_Q30_ONE}};
     const gjk_vec3 h = known[i].half, p = pose.position;
-    gjk_collider c;
     gjk_aabb box;
-    memset(&c, 0, sizeof c);
-    CHECK(gjk_collider_init(&c, &known[i].shape, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(&known[i].shape, &pose);
     CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);
     const gjk_q16 excess[6] = {p.x - h.x - box.lower.x, p.y - h.y - box.lower.y, p.z - h.z - box.lower.z,
                                box.upper.x - p.x - h.x, box.upper.y - p.y - h.y, box.upper.z - p.z - h.z};

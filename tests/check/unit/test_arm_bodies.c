@@ -11,7 +11,8 @@
 #include "gjk/height_field.h"
 #include "gjk/mesh.h"
 #include "parts_answers.h"
-#include "random.h"
+#include "placed.h"
+#include "random_vec.h"
 
 #define TRIALS 600
 #define LINKS 4
@@ -59,16 +60,10 @@ static struct {
   int32_t from[LINKS], to[LINKS];
 } m;
 
-static gjk_vec3 any_vector(random_state *random, int32_t most) {
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
-}
-
 static gjk_pose any_pose(random_state *random, int32_t most) {
   gjk_pose pose = GJK_POSE_IDENTITY;
-  const gjk_vec3 axis = any_vector(random, 99);
-  pose.position = any_vector(random, most);
+  const gjk_vec3 axis = random_in_cube(random, 99);
+  pose.position = random_in_cube(random, most);
   if (random_below(random, 3) > 0) {
     (void)gjk_quat_from_axis_angle(&axis, random_range(random, -300000, 300000), &pose.rotation);
   }
@@ -78,7 +73,7 @@ static gjk_pose any_pose(random_state *random, int32_t most) {
 static gjk_shape any_shape(random_state *random, int32_t size, gjk_vec3 points[8], bool curved) {
   const int32_t x = random_range(random, size / 4, size), y = random_range(random, size / 8, size / 2);
   for (unsigned i = 0; i < 8; i++) {
-    points[i] = any_vector(random, size);
+    points[i] = random_in_cube(random, size);
   }
   const gjk_shape shapes[] = {GJK_HULL(points, 8), GJK_BOX(x, y, y), GJK_CAPSULE(y, x), GJK_SPHERE(x),
                               GJK_CYLINDER(y, x)};
@@ -94,8 +89,7 @@ static gjk_parts any_compound(random_state *random, body *b, int32_t size, bool 
   }
   CHECK(gjk_compound_build(b->parts, (uint16_t)count, b->nodes, GJK_COMPOUND_NODES(COMPOUND_MAX), &b->compound) ==
         GJK_OK);
-  const gjk_parts parts = GJK_PARTS_OF_COMPOUND(&b->compound);
-  return parts;
+  return (gjk_parts)GJK_PARTS_OF_COMPOUND(&b->compound);
 }
 
 // A rough ground, as a mesh of some size.
@@ -118,8 +112,7 @@ static gjk_parts any_mesh(random_state *random, body *b, int32_t size) {
   }
   CHECK(gjk_mesh_build(b->vertices, side * side, b->triangles, count, random_below(random, 2) == 0, b->mesh_nodes,
                        GJK_MESH_NODES(PIECES_MAX), &b->mesh) == GJK_OK);
-  const gjk_parts parts = GJK_PARTS_OF_MESH(&b->mesh);
-  return parts;
+  return (gjk_parts)GJK_PARTS_OF_MESH(&b->mesh);
 }
 
 // A field, some of whose cells are holes.
@@ -129,10 +122,8 @@ static gjk_parts any_field(random_state *random, body *b, int32_t size) {
     b->heights[i] = random_below(random, 20) == 0 ? GJK_HEIGHT_HOLE : (int16_t)random_range(random, -300, 300);
   }
   b->heights[0] = b->heights[1] = b->heights[columns] = b->heights[columns + 1] = 0;
-  const gjk_height_field field = {b->heights, (uint16_t)columns, (uint16_t)rows, size / 2, size / 2, size / 512 + 1};
-  b->field = field;
-  const gjk_parts parts = GJK_PARTS_OF_HEIGHT_FIELD(&b->field);
-  return parts;
+  b->field = (gjk_height_field){b->heights, (uint16_t)columns, (uint16_t)rows, size / 2, size / 2, size / 512 + 1};
+  return (gjk_parts)GJK_PARTS_OF_HEIGHT_FIELD(&b->field);
 }
 
 static void make_links(random_state *random, int32_t size) {
@@ -142,7 +133,7 @@ static void make_links(random_state *random, int32_t size) {
     link->parent = (uint8_t)(i == 0 ? GJK_ARM_BASE : i - 1);
     link->kind = random_below(random, 4) > 0 ? GJK_ARM_REVOLUTE : GJK_ARM_PRISMATIC;
     link->fixed = any_pose(random, size);
-    link->axis = any_vector(random, 1000);
+    link->axis = random_in_cube(random, 1000);
     link->axis.x = (link->axis.y | link->axis.z) == 0 ? 1 : link->axis.x;
     link->lower = INT32_MIN;
     link->upper = INT32_MAX;
@@ -206,7 +197,7 @@ static void make_machine(random_state *random, bool still) {
     gjk_pose pose = any_pose(random, size);
     pose.position.x += base.position.x;
     m.ball = ball;
-    CHECK(gjk_collider_init(&m.still, &m.ball, NULL, 0) == GJK_OK && gjk_collider_pose(&m.still, &pose) == GJK_OK);
+    m.still = posed(&m.ball, &pose);
     m.pieces[m.first[m.body_count]] = m.still;
     CHECK(gjk_arm_obstacles(&m.arm[0], &m.still, 1) == GJK_OK);
   }
@@ -345,12 +336,11 @@ static bool is_needed(uint32_t number, uint32_t count, const gjk_arm_edge_result
 static void box_at_ends(const gjk_arm_proof *p, unsigned part, gjk_aabb *out) {
   for (unsigned end = 0; end < 2; end++) {
     gjk_pose link, pose;
-    gjk_collider c = {0};
     gjk_aabb box;
     arm_truth_pose(&m.arm[0], m.from, m.to, (end == 0 ? p->from : p->to) / (double)GJK_Q30_ONE, m.parts[part].link,
                    &link);
     CHECK(gjk_pose_compose(&link, &m.parts[part].pose, &pose) == GJK_OK);
-    CHECK(gjk_collider_init(&c, m.parts[part].shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(m.parts[part].shape, &pose);
     CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);
     if (end == 0) {
       *out = box;

@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "gjk/compound.h"
+#include "placed.h"
 
 #define LINKS 3
 #define PARTS 3
@@ -43,8 +44,7 @@ static void make_single(const gjk_shape *shape) {
 
 static void put_wall(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
   const gjk_pose pose = {{x, y, z}, {0, 0, 0, GJK_Q30_ONE}};
-  CHECK(gjk_collider_init(&m.obstacles[0], shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&m.obstacles[0], &pose) == GJK_OK);
+  m.obstacles[0] = posed(shape, &pose);
   CHECK(gjk_arm_obstacles(&m.arm, m.obstacles, 1) == GJK_OK);
 }
 
@@ -179,8 +179,7 @@ static void check_same_gap(void) {
       gjk_pose pose;
       CHECK(gjk_arm_poses(&m.arm, &to, &pose) == GJK_OK);
       pose.position.x += 2000 + gap;
-      CHECK(gjk_collider_init(&m.obstacles[1], &ball, NULL, 0) == GJK_OK);
-      CHECK(gjk_collider_pose(&m.obstacles[1], &pose) == GJK_OK);
+      m.obstacles[1] = posed(&ball, &pose);
       put_wall(&ball, -2040, 0, 0);
       CHECK(gjk_arm_obstacles(&m.arm, m.obstacles, 2) == GJK_OK);
       const gjk_q16 unproven = run(from, to, &plain).gap;

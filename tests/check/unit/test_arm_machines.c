@@ -6,7 +6,7 @@
 
 #include "arm/arm_truth.h"
 #include "check.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define EDGES 4000
 #define LINKS 6
@@ -41,16 +41,10 @@ static void take(void *user, const gjk_arm_proof *proof) {
   proof_count++;
 }
 
-static gjk_vec3 any_vector(random_state *random, int32_t most) {
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
-}
-
 static gjk_pose any_pose(random_state *random, int32_t most) {
   gjk_pose pose = GJK_POSE_IDENTITY;
-  const gjk_vec3 axis = any_vector(random, 99);
-  pose.position = any_vector(random, most);
+  const gjk_vec3 axis = random_in_cube(random, 99);
+  pose.position = random_in_cube(random, most);
   (void)gjk_quat_from_axis_angle(&axis, random_range(random, -300000, 300000), &pose.rotation);
   return pose;
 }
@@ -61,7 +55,7 @@ static gjk_shape any_shape(random_state *random, int32_t size, gjk_vec3 points[1
   const int32_t x = random_range(random, size / 4, size),
                 y = thin ? size / 100 + 1 : random_range(random, size / 4, size);
   for (unsigned i = 0; i < 10; i++) {
-    points[i] = any_vector(random, size);
+    points[i] = random_in_cube(random, size);
     points[i].y = thin ? points[i].y / 100 : points[i].y;
     points[i].z = thin ? points[i].z / 100 : points[i].z;
   }
@@ -84,7 +78,7 @@ static unsigned make_links(random_state *random, int32_t size) {
                                                                     : i - 1);
     link->kind = kind < 5 || i == 0 ? GJK_ARM_REVOLUTE : kind < 7 ? GJK_ARM_PRISMATIC : GJK_ARM_FIXED;
     link->fixed = any_pose(random, size);
-    link->axis = any_vector(random, 1000);
+    link->axis = random_in_cube(random, 1000);
     link->axis.x = (link->axis.y | link->axis.z) == 0 ? 1 : link->axis.x;
     link->lower = -100000;
     link->upper = 100000;

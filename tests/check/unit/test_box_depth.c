@@ -250,11 +250,10 @@ static void check_swapped(const gjk_penetration_result *r) {
 }
 
 static void check_pair(unsigned long trial) {
-  gjk_penetration_result r;
+  gjk_penetration_result r = {0};
   plane planes[15];
   gjk_vec3 axis[6];
   char why[200];
-  memset(&r, 0, sizeof r);
   gjk_iteration it;
   it.a = &a;
   it.b = &b;

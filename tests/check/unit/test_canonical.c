@@ -12,6 +12,7 @@
 #include "generate/polytope.h"
 #include "gjk/check.h"
 #include "gjk/gjk.h"
+#include "random_vec.h"
 #include "same.h"
 #include "src/gjk/gjk_iteration.h"
 #include "src/gjk/gjk_search.h"
@@ -170,8 +171,7 @@ static void pose(question *q, const gjk_shape shapes[2], const gjk_pose poses[2]
 
 static void check_caches(void) {
   unsigned touching = 0, apart = 0, full = 0;
-  gjk_cache before;
-  memset(&before, 0, sizeof before);
+  gjk_cache before = {0};
   for (unsigned i = 0; i < PAIRS; i++) {
     random_state random = random_seed(check_seed(SEED) + i);
     const bool aligned = i % 2 == 0;
@@ -181,8 +181,7 @@ static void check_caches(void) {
     answers cold, warm;
     const gjk_pose poses[2] = {make_pose(&random, aligned, size, size), make_pose(&random, aligned, size, 4.0 * size)};
     const gjk_cache rubbish = make_rubbish(&random);
-    gjk_cache own;
-    memset(&own, 0, sizeof own);
+    gjk_cache own = {0};
     pose(&q, shapes, poses);
     q.margin = size * (int32_t)random_below(&random, 3);
     q.workspace.cells = cells;
@@ -339,9 +338,7 @@ static void check_lowest_facet(void) {
     gjk_pose poses[2] = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY};
     gjk_penetration_result depth;
     question q;
-    poses[1].position.x = random_range(&random, -3, 3);
-    poses[1].position.y = random_range(&random, -3, 3);
-    poses[1].position.z = random_range(&random, -3, 3);
+    poses[1].position = random_in_cube(&random, 3);
     pose(&q, shapes, poses);
     q.workspace.cells = cells;
     q.workspace.count = CELLS;

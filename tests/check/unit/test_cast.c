@@ -6,15 +6,10 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "placed.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define SEED 14
 #define TRIALS ((int)check_trials(20000))
-
-static gjk_collider placed_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
-  const gjk_vec3 at = {x, y, z};
-  return placed(shape, at);
-}
 
 // Casts b to a place, checks the proof, and that a ray answers alike where b is a point.
 static gjk_cast_result cast(const gjk_collider *a, const gjk_collider *b, int32_t x, int32_t y, int32_t z) {
@@ -173,9 +168,8 @@ static void check_statuses(void) {
   const gjk_vec3 near = {INT32_MIN, 0, 0}, far = {INT32_MAX, 0, 0};
   const gjk_vec3 shifted[4] = {{110, 0, 0}, {90, 0, 0}, {100, 10, 0}, {100, 0, 10}};
   const gjk_shape off = GJK_HULL(shifted, 4);
-  gjk_collider unposed;
+  gjk_collider unposed = {0};
   gjk_cast_result out;
-  memset(&unposed, 0, sizeof unposed);
   const gjk_cast_path none = {NULL, NULL, 0}, negative = {NULL, NULL, -1}, apart = {&near, &far, 0};
   check_refused(NULL, &b, &none, GJK_ERROR_NULL);
   check_refused(&a, NULL, &none, GJK_ERROR_NULL);
@@ -235,14 +229,6 @@ static void check_balls(void) {
   }
 }
 
-static gjk_vec3 random_vector(random_state *random, int32_t size) {
-  gjk_vec3 v;
-  v.x = random_range(random, -size, size);
-  v.y = random_range(random, -size, size);
-  v.z = random_range(random, -size, size);
-  return v;
-}
-
 // At rest the shapes share no inner point; an LSB nearer along each axis of the normal, or on by the same way, they meet.
 static void check_rest(const gjk_collider *a, gjk_collider *b, const gjk_vec3 *to, const gjk_cast_result *hit) {
   static gjk_epa_cell cells[GJK_EPA_CELLS(64)];
@@ -275,10 +261,10 @@ static void check_random(random_state *random, unsigned long number, unsigned *h
   const gjk_shape of_a = GJK_HULL(vertices[0], n), of_b = GJK_HULL(vertices[1], m);
   check_trial(number, NULL, NULL);
   for (unsigned i = 0; i < 24; i++) {
-    vertices[0][i] = random_vector(random, size);
-    vertices[1][i] = random_vector(random, size);
+    vertices[0][i] = random_in_cube(random, size);
+    vertices[1][i] = random_in_cube(random, size);
   }
-  const gjk_vec3 from = random_vector(random, 3 * size), to = random_vector(random, 3 * size);
+  const gjk_vec3 from = random_in_cube(random, 3 * size), to = random_in_cube(random, 3 * size);
   const gjk_collider a = placed_at(&of_a, 0, 0, 0);
   gjk_collider b = placed_at(&of_b, from.x, from.y, from.z);
   const gjk_cast_result out = cast(&a, &b, to.x, to.y, to.z);

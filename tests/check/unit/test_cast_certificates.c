@@ -1,9 +1,6 @@
 // A campaign of seeded random casts of polytopes: every decision and every fraction is the oracle's.
 //
 //   test_cast_certificates [SEED [CASTS [FAMILY]]]    default: seed 1, 40,000 casts over all families
-#include <stdlib.h>
-#include <string.h>
-
 #include "check.h"
 #include "exact/cast_claim.h"
 #include "generate/cast.h"
@@ -34,18 +31,10 @@ typedef struct campaign {
   char why[160];
 } campaign;
 
-static void expect(campaign *c, bool holds, const char *what) {
-  CHECK_MSG(holds, "%s: %s: %s", c->pair.id, what, c->why);
-  if (!holds && c->failures++ < FAILURES_SHOWN) {
-    case_print(stdout, &c->pair);
-    fflush(stdout);
-  }
-  c->why[0] = '\0';
-}
+#include "campaign.h"
 
 static gjk_vec3 vec3(int64_t x, int64_t y, int64_t z) {
-  const gjk_vec3 v = {(gjk_q16)x, (gjk_q16)y, (gjk_q16)z};
-  return v;
+  return (gjk_vec3){(gjk_q16)x, (gjk_q16)y, (gjk_q16)z};
 }
 
 // From where it stands by a part of a way; the part is k of n.
@@ -294,13 +283,12 @@ static void count(campaign *c, const gjk_cast_result *r) {
 }
 
 static void check_cast(campaign *c) {
-  gjk_cast_result r;
+  gjk_cast_result r = {0};
   const gjk_status of_a = case_collider_build(&c->a, &c->pair.a, false),
                    of_b = case_collider_build(&c->b, &c->pair.b, false);
   const bool built = of_a == GJK_OK && of_b == GJK_OK;
   expect(c, built || of_a == GJK_ERROR_RANGE || of_b == GJK_ERROR_RANGE, "the pair can be posed");
   const gjk_cast_path path = case_path(&c->pair, 0);
-  memset(&r, 0, sizeof r);
   if (!built || !ask(c, &c->a.collider, &c->b.collider, &path, &c->cast, "cast", &r)) {
     c->outside++;
     return;
@@ -359,28 +347,22 @@ static void check_proofs(const campaign *c, unsigned long casts) {
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
-  const unsigned long casts = argc > 2 ? strtoul(argv[2], NULL, 10) : CASTS;
-  const char *name = argc > 3 ? argv[3] : NULL;
-  const unsigned long each =
-      name != NULL ? casts : (casts + generate_cast_family_count - 1) / generate_cast_family_count;
+  const campaign_request asked = campaign_requested(argc, argv, CASTS, generate_cast_family_count);
   unsigned long total = 0;
   for (unsigned i = 0; i < generate_cast_family_count; i++) {
     c.family = &generate_cast_families[i];
-    if (name == NULL || strcmp(name, c.family->name) == 0) {
-      run_family(&c, seed, each);
+    if (campaign_includes(&asked, c.family->name)) {
+      run_family(&c, asked.seed, asked.each);
       total += c.casts;
-      CHECK(c.casts + c.outside >= each || c.failures > 0);
+      CHECK(c.casts + c.outside >= asked.each || c.failures > 0);
     }
   }
   printf("%lu casts, %lu of %lu forged claims refused\n", total, c.refused, c.forged);
-  if (name == NULL && casts >= 10000) {
+  if (asked.name == NULL && asked.count >= 10000) {
     CHECK(c.refused > total / 4);
     check_proofs(&c, total);
   }
-  case_pair_free(&c.pair);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.pair, &c.a, &c.b);
   exact_cast_free(&c.cast);
   exact_cast_free(&c.other);
   return check_done("cast_certificates");

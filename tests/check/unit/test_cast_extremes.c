@@ -15,8 +15,7 @@
 #define SEED 3310
 
 static gjk_vec3 vec(int32_t x, int32_t y, int32_t z) {
-  const gjk_vec3 v = {x, y, z};
-  return v;
+  return (gjk_vec3){x, y, z};
 }
 
 // One component alone.
@@ -70,9 +69,8 @@ static void test_ranges(void) {
     CHECK(gjk_cast(&b, &t, &out, &r) == GJK_ERROR_RANGE);
     // Of an impact the centre may leave int32 whatever the rotation, at either end.
     const gjk_impact_setup setup = {0, 100000, 0};
-    gjk_motion still, away;
+    gjk_motion still = {0}, away;
     gjk_impact_result impact;
-    memset(&still, 0, sizeof still);
     still.from.rotation.w = still.to.rotation.w = GJK_Q30_ONE;
     away = still;
     for (int end = 0; end < 4; end++) {
@@ -188,9 +186,8 @@ static void test_longest_sweep(void) {
 static void test_turns(void) {
   for (int axis = 0; axis < 3; axis++) {
     for (int32_t sine = -5; sine <= 5; sine++) {
-      gjk_motion m;
+      gjk_motion m = {0};
       gjk_pose pose;
-      memset(&m, 0, sizeof m);
       m.from.rotation.w = m.to.rotation.w = GJK_Q30_ONE;
       (axis == 0 ? &m.to.rotation.x : axis == 1 ? &m.to.rotation.y : &m.to.rotation.z)[0] = sine;
       CHECK(gjk_motion_pose(&m, GJK_Q30_ONE / 2, &pose) == GJK_OK);
@@ -200,9 +197,8 @@ static void test_turns(void) {
     const gjk_shape ball = GJK_SPHERE(65536);
     const gjk_collider a = placed(&ball, vec(0, 0, 0)), b = placed(&ball, vec(0, 0, 0));
     const gjk_impact_setup setup = {0, GJK_IMPACT_TOLERANCE_MIN, 0};
-    gjk_motion still, spins;
+    gjk_motion still = {0}, spins;
     gjk_impact_result r;
-    memset(&still, 0, sizeof still);
     still.from.rotation.w = still.to.rotation.w = GJK_Q30_ONE;
     spins = still;
     spins.from.position = vec(4 * 65536, 0, 0);

@@ -16,6 +16,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #define SEED 5150
 #define TRIALS check_trials(6000)
 #define AXES (SPACE ? 3 : 2)
@@ -106,14 +108,11 @@ static void make(random_state *random, trial *t) {
       CHECK(gjk_quat_normalize(&any, &pose.rotation) == GJK_OK);
     }
     t->pose[i] = pose;
-    memset(&t->collider[i], 0, sizeof t->collider[i]);
-    CHECK(gjk_collider_init(&t->collider[i], &t->shape[i], NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&t->collider[i], &pose) == GJK_OK);
+    t->collider[i] = posed(&t->shape[i], &pose);
     t->to[i] = flattened(spread(random, i == 0 ? size : 2 * size), axes);
   }
-  const gjk_cast_path path = {random_below(random, 3) == 0 ? &t->to[0] : NULL, &t->to[1],
-                              rounded ? random_range(random, 0, size / 4) : 0};
-  t->path = path;
+  t->path = (gjk_cast_path){random_below(random, 3) == 0 ? &t->to[0] : NULL, &t->to[1],
+                            rounded ? random_range(random, 0, size / 4) : 0};
 }
 
 static gjk_status status_of(const trial *t, const gjk_cast_result *r) {
@@ -249,14 +248,12 @@ static void forge_fewer(random_state *random, const trial *t, bool rounded) {
   for (int i = 0; i < 2; i++) {
     gjk_shape few = t->shape[i];
     gjk_collider pair[2] = {t->collider[0], t->collider[1]};
-    gjk_cast_result claim;
+    gjk_cast_result claim = {0};
     if (few.vertices == NULL || few.count < CORNERS) {
       continue;
     }
     few.count = (uint16_t)(1 + random_below(random, CORNERS - 1));
-    memset(&pair[i], 0, sizeof pair[i]);
-    memset(&claim, 0, sizeof claim);
-    CHECK(gjk_collider_init(&pair[i], &few, NULL, 0) == GJK_OK && gjk_collider_pose(&pair[i], &t->pose[i]) == GJK_OK);
+    pair[i] = posed(&few, &t->pose[i]);
     CHECK(gjk_cast(&pair[0], &pair[1], &t->path, &claim) == GJK_OK);
     if (claim.hit != t->result.hit || claim.inside != t->result.inside ||
         (!rounded && claim.fraction != t->result.fraction)) {

@@ -195,8 +195,7 @@ static gjk_vec3 place_around(random_state *random, const aligned *shapes, int64_
     const int64_t chosen = random_below(random, 3) == 0 ? (random_below(random, 2) == 0 ? near : -near) : any;
     x[k] = (int32_t)(chosen > 1 << 29 ? 1 << 29 : chosen < -(1 << 29) ? -(1 << 29) : chosen);
   }
-  const gjk_vec3 v = {x[0], x[1], x[2]};
-  return v;
+  return (gjk_vec3){x[0], x[1], x[2]};
 }
 
 static void test_aligned(void) {
@@ -629,8 +628,7 @@ static void test_random(bool curved) {
     gjk_q16 margin;
     gjk_cast_result r;
     check_trial(i, case_show, &pair);
-    if (!random_cast(&random, curved, &pair, &to_a, &to_b, &margin) ||
-        case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK) {
+    if (!random_cast(&random, curved, &pair, &to_a, &to_b, &margin) || !case_pair_build(&pair, false, &a, &b)) {
       continue;
     }
     const gjk_cast_path path = {&to_a, &to_b, margin};
@@ -681,8 +679,6 @@ int main(void) {
   test_aligned();
   test_random(false);
   test_random(true);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("cast_round");
 }

@@ -27,7 +27,7 @@ typedef struct swept {
   gjk_collider collider;
 } swept;
 
-typedef struct trial {
+typedef struct campaign {
   case_pair pair;
   case_collider a, b;
   swept whole, part;
@@ -36,16 +36,9 @@ typedef struct trial {
   random_state random;
   unsigned long casts, hits, inside, near, failures;
   char why[160];
-} trial;
+} campaign;
 
-static void expect(trial *t, bool holds, const char *what) {
-  CHECK_MSG(holds, "%s, margin %ld: %s: %s", t->pair.id, (long)t->margin, what, t->why);
-  if (!holds && t->failures++ < FAILURES_SHOWN) {
-    case_print(stdout, &t->pair);
-    fflush(stdout);
-  }
-  t->why[0] = '\0';
-}
+#include "campaign.h"
 
 // The hull of B here and B moved by a way. False: it is no shape.
 static bool sweep(const gjk_collider *b, const exact_point *by, swept *out) {
@@ -62,15 +55,14 @@ static bool sweep(const gjk_collider *b, const exact_point *by, swept *out) {
     there->y = here->y + (gjk_q16)by->x[1];
     there->z = here->z + (gjk_q16)by->x[2];
   }
-  const gjk_shape hull = GJK_ROUNDED_HULL(out->vertices, (uint16_t)(2 * count), b->shape->convex_radius);
-  out->shape = hull;
+  out->shape = (gjk_shape)GJK_ROUNDED_HULL(out->vertices, (uint16_t)(2 * count), b->shape->convex_radius);
   memset(&out->collider, 0, sizeof out->collider);
   return gjk_collider_init(&out->collider, &out->shape, out->buffer, 2 * VERTICES) == GJK_OK &&
          gjk_collider_pose(&out->collider, &pose) == GJK_OK;
 }
 
 // Is what B sweeps within the distance? Proven by the oracle.
-static bool is_within(trial *t, const swept *s, gjk_q16 distance) {
+static bool is_within(campaign *t, const swept *s, gjk_q16 distance) {
   gjk_decision d = {0};
   const bool answered = gjk_within(&t->a.collider, &s->collider, distance, NULL, &d) == GJK_OK;
   expect(t, answered && exact_check_decision(&t->a.collider, &s->collider, distance, &d, t->why, sizeof t->why),
@@ -78,8 +70,15 @@ static bool is_within(trial *t, const swept *s, gjk_q16 distance) {
   return d.yes;
 }
 
+// The margin is no part of a case: the id tells it.
+static void set_margin(campaign *t, int64_t margin) {
+  const size_t length = strlen(t->pair.id);
+  t->margin = (gjk_q16)margin;
+  snprintf(t->pair.id + length, sizeof t->pair.id - length, "-margin-%ld", (long)t->margin);
+}
+
 // Gives both radii, and a margin, that add up to about the gap between A and what B sweeps; or any.
-static bool choose_radii(trial *t) {
+static bool choose_radii(campaign *t) {
   gjk_distance_result gap;
   if (!sweep(&t->b.collider, &t->way, &t->whole) ||
       gjk_distance(&t->a.collider, &t->whole.collider, NULL, &gap) != GJK_OK || gap.distance > WAY_MAX) {
@@ -92,13 +91,12 @@ static bool choose_radii(trial *t) {
   const int32_t first = random_range(&t->random, 0, sum), second = random_range(&t->random, 0, sum - first);
   t->pair.a.convex_radius = random_below(&t->random, 3) == 0 ? 0 : first;
   t->pair.b.convex_radius = random_below(&t->random, 3) == 0 ? 0 : second;
-  t->margin = sum - t->pair.a.convex_radius - t->pair.b.convex_radius;
-  return case_collider_build(&t->a, &t->pair.a, false) == GJK_OK &&
-         case_collider_build(&t->b, &t->pair.b, false) == GJK_OK && sweep(&t->b.collider, &t->way, &t->whole);
+  set_margin(t, sum - t->pair.a.convex_radius - t->pair.b.convex_radius);
+  return case_pair_build(&t->pair, false, &t->a, &t->b) && sweep(&t->b.collider, &t->way, &t->whole);
 }
 
 // B's displacement at a fraction, in whole LSB: rounded to the nearest, or towards the start.
-static exact_point place_at(const trial *t, gjk_q30 fraction, bool nearest) {
+static exact_point place_at(const campaign *t, gjk_q30 fraction, bool nearest) {
   exact_point by;
   for (int i = 0; i < 3; i++) {
     const int64_t product = t->way.x[i] * fraction, half = nearest ? (product < 0 ? -1 : 1) * (GJK_Q30_ONE / 2) : 0;
@@ -108,13 +106,12 @@ static exact_point place_at(const trial *t, gjk_q30 fraction, bool nearest) {
 }
 
 static gjk_vec3 moved(const gjk_vec3 *from, const exact_point *by) {
-  const gjk_vec3 to = {(gjk_q16)(from->x + by->x[0]), (gjk_q16)(from->y + by->x[1]), (gjk_q16)(from->z + by->x[2])};
-  return to;
+  return (gjk_vec3){(gjk_q16)(from->x + by->x[0]), (gjk_q16)(from->y + by->x[1]), (gjk_q16)(from->z + by->x[2])};
 }
 
 // The gap is the margin at the fraction, and was more before. A place is off the way by up to 0.87 LSB, and 2^-30 of the
 // way.
-static void check_fraction(trial *t, const gjk_cast_result *r) {
+static void check_fraction(campaign *t, const gjk_cast_result *r) {
   gjk_collider b = t->b.collider;
   gjk_distance_result gap;
   const exact_point at = place_at(t, r->fraction, true), before = place_at(t, r->fraction, false);
@@ -134,7 +131,7 @@ static double length(double x, double y, double z) {
 }
 
 // The points are the margin apart, along the normal.
-static void check_points(trial *t, const gjk_cast_result *r) {
+static void check_points(campaign *t, const gjk_cast_result *r) {
   const double x = (double)r->point_b.x - r->point_a.x, y = (double)r->point_b.y - r->point_a.y,
                z = (double)r->point_b.z - r->point_a.z;
   const double unit = GJK_Q30_ONE, m = t->margin;
@@ -147,7 +144,7 @@ static void check_points(trial *t, const gjk_cast_result *r) {
 }
 
 // At rest they are at least the margin apart, without one they share no inner point, and B is near its place on the way.
-static void check_rest(trial *t, const gjk_cast_result *r) {
+static void check_rest(campaign *t, const gjk_cast_result *r) {
   static gjk_epa_cell cells[GJK_EPA_CELLS(128)];
   static const gjk_workspace workspace = {cells, GJK_EPA_CELLS(128)};
   gjk_collider a = t->a.collider, b = t->b.collider;
@@ -169,7 +166,7 @@ static void check_rest(trial *t, const gjk_cast_result *r) {
   t->why[0] = '\0';
 }
 
-static void check_cast(trial *t) {
+static void check_cast(campaign *t) {
   const gjk_vec3 to = moved(&t->b.collider.position, &t->way);
   const exact_point back_way = {{-t->way.x[0], -t->way.x[1], -t->way.x[2]}};
   const gjk_vec3 back_to = moved(&t->a.collider.position, &back_way);
@@ -243,13 +240,12 @@ static void make_long(random_state *random, case_pair *pair) {
 // Ways of up to so many LSB are decided exactly; beyond, a hit may be one by less than an LSB.
 #define EXACT_WAY (16380.0 * 65536)
 
-static void check_long(trial *t, unsigned long counts[3]) {
+static void check_long(campaign *t, unsigned long counts[3]) {
   exact_cast range;
   exact_truth truth;
   gjk_cast_result r;
   gjk_cast_path path = case_path(&t->pair, 0);
-  if (case_collider_build(&t->a, &t->pair.a, false) != GJK_OK ||
-      case_collider_build(&t->b, &t->pair.b, false) != GJK_OK ||
+  if (!case_pair_build(&t->pair, false, &t->a, &t->b) ||
       !exact_cast_is_in_range(&t->a.collider, &t->b.collider, &path, &range)) {
     return;
   }
@@ -261,9 +257,9 @@ static void check_long(trial *t, unsigned long counts[3]) {
   }
   t->pair.a.convex_radius = (gjk_q16)(sum / 2);
   t->pair.b.convex_radius = random_below(&t->random, 2) == 0 ? 0 : (gjk_q16)(sum - sum / 2);
-  path.margin = t->margin = (gjk_q16)(sum - t->pair.a.convex_radius - t->pair.b.convex_radius);
-  if (case_collider_build(&t->a, &t->pair.a, false) != GJK_OK ||
-      case_collider_build(&t->b, &t->pair.b, false) != GJK_OK) {
+  set_margin(t, sum - t->pair.a.convex_radius - t->pair.b.convex_radius);
+  path.margin = t->margin;
+  if (!case_pair_build(&t->pair, false, &t->a, &t->b)) {
     return;
   }
   const gjk_collider *a = &t->a.collider, *b = &t->b.collider;
@@ -282,7 +278,7 @@ static void check_long(trial *t, unsigned long counts[3]) {
   }
 }
 
-static void test_long(trial *t, uint64_t seed, unsigned long casts) {
+static void test_long(campaign *t, uint64_t seed, unsigned long casts) {
   unsigned long counts[3] = {0, 0, 0};
   t->random = random_seed(seed);
   t->failures = 0;
@@ -297,7 +293,7 @@ static void test_long(trial *t, uint64_t seed, unsigned long casts) {
   }
 }
 
-static void run_family(trial *t, const generate_cast_family *family, uint64_t seed, unsigned long casts) {
+static void run_family(campaign *t, const generate_cast_family *family, uint64_t seed, unsigned long casts) {
   t->random = random_seed(seed);
   t->casts = t->hits = t->inside = t->failures = 0;
   for (unsigned long i = 0; i < casts && t->failures < FAILURES_SHOWN; i++) {
@@ -307,8 +303,7 @@ static void run_family(trial *t, const generate_cast_family *family, uint64_t se
     t->way = way;
     t->pair.a.moves = false;
     if (llabs(way.x[0]) > WAY_MAX || llabs(way.x[1]) > WAY_MAX || llabs(way.x[2]) > WAY_MAX ||
-        case_collider_build(&t->a, &t->pair.a, false) != GJK_OK ||
-        case_collider_build(&t->b, &t->pair.b, false) != GJK_OK || exact_vertex_count(&t->b.collider) > VERTICES ||
+        !case_pair_build(&t->pair, false, &t->a, &t->b) || exact_vertex_count(&t->b.collider) > VERTICES ||
         !choose_radii(t)) {
       continue;
     }
@@ -321,31 +316,25 @@ static void run_family(trial *t, const generate_cast_family *family, uint64_t se
 }
 
 int main(int argc, char **argv) {
-  static trial t;
-  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
-  const unsigned long casts = argc > 2 ? strtoul(argv[2], NULL, 10) : CASTS;
-  const char *name = argc > 3 ? argv[3] : NULL;
-  const unsigned long each =
-      name != NULL ? casts : (casts + generate_cast_family_count - 1) / generate_cast_family_count;
+  static campaign t;
+  const campaign_request asked = campaign_requested(argc, argv, CASTS, generate_cast_family_count);
   unsigned long total = 0, hits = 0;
   for (unsigned i = 0; i < generate_cast_family_count; i++) {
     const generate_cast_family *family = &generate_cast_families[i];
-    if (name == NULL || strcmp(name, family->name) == 0) {
-      run_family(&t, family, seed, each);
+    if (campaign_includes(&asked, family->name)) {
+      run_family(&t, family, asked.seed, asked.each);
       total += t.casts;
       hits += t.hits;
     }
   }
   printf("%lu casts, %lu hits\n", total, hits);
-  if (name == NULL && casts >= 1000) {
-    CHECK(total > casts / 2);
+  if (asked.name == NULL && asked.count >= 1000) {
+    CHECK(total > asked.count / 2);
     CHECK(hits > total / 4 && hits < total * 9 / 10);
   }
-  if (name == NULL) {
-    test_long(&t, seed, casts / 10);
+  if (asked.name == NULL) {
+    test_long(&t, asked.seed, asked.count / 10);
   }
-  case_pair_free(&t.pair);
-  case_collider_free(&t.a);
-  case_collider_free(&t.b);
+  case_pair_release(&t.pair, &t.a, &t.b);
   return check_done("cast_swept");
 }

@@ -1,9 +1,6 @@
 // A campaign of seeded random pairs: every decision and every distance is proven in exact integers.
 //
 //   test_certificates [SEED [PAIRS [FAMILY]]]    default: seed 1, 150,000 pairs over all families
-#include <stdlib.h>
-#include <string.h>
-
 #include "check.h"
 #include "exact/exact.h"
 #include "generate/generate.h"
@@ -33,14 +30,7 @@ typedef struct campaign {
   char why[160];
 } campaign;
 
-static void expect(campaign *c, bool holds, const char *what) {
-  CHECK_MSG(holds, "%s: %s: %s", c->pair.id, what, c->why);
-  if (!holds && c->failures++ < FAILURES_SHOWN) {
-    case_print(stdout, &c->pair);
-    fflush(stdout);
-  }
-  c->why[0] = '\0';
-}
+#include "campaign.h"
 
 static void count_answer(campaign *c, unsigned iterations, const gjk_certificate *certificate) {
   expect(c, iterations <= iterations_bound(&c->a.collider, &c->b.collider), "more iterations than proven");
@@ -176,8 +166,7 @@ static void check_wrong_decision(campaign *c, gjk_q16 distance) {
 // the wrong one.
 static void check_borrowed_proof(campaign *c, const gjk_distance_result *r, gjk_q16 distance, bool yes) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
-  gjk_decision d;
-  memset(&d, 0, sizeof d);
+  gjk_decision d = {0};
   d.yes = yes;
   d.certificate = r->certificate;
   d.certificate.proof = yes ? GJK_PROOF_NEAR : GJK_PROOF_NEAREST;
@@ -208,10 +197,8 @@ static void check_brute(campaign *c, const gjk_distance_result *r) {
 static void check_pair(campaign *c) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_distance_result r;
-  gjk_cache own;
-  memset(&own, 0, sizeof own);
-  const bool built = case_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
-                     case_collider_build(&c->b, &c->pair.b, false) == GJK_OK;
+  gjk_cache own = {0};
+  const bool built = case_pair_build(&c->pair, false, &c->a, &c->b);
   expect(c, built, "the pair can be posed");
   const gjk_status status = built ? gjk_distance(a, b, &own, &r) : GJK_ERROR_RANGE;
   expect(c, status == GJK_OK, gjk_status_name(status));
@@ -261,53 +248,31 @@ static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
       family->name, c->pairs, share, c->iterations, c->brute, c->refused, c->mutants);
   fflush(stdout);
   if (pairs >= 1000) {
-    CHECK_MSG(share >= family->least, "%s: %.1f %% intersect", family->name, share);
-    CHECK_MSG(share <= family->most, "%s: %.1f %% intersect", family->name, share);
+    campaign_check_share(family->name, share, family->least, family->most);
     CHECK_MSG(family->near == 0 || c->near * 10 >= (c->pairs - c->intersecting) * 9, "%s: %lu near", family->name,
               c->near);
   }
   return c->iterations;
 }
 
-// Every kind of proof must occur, with each number of vertices that it can have.
-static void check_proofs(const campaign *c, unsigned long pairs) {
-  static const struct {
-    gjk_proof proof;
-    unsigned least, most;
-    const char *name;
-  } kinds[] = {
-      {.proof = GJK_PROOF_SPHERES, .least = 0, .most = 0, .name = "spheres"},
-      {.proof = GJK_PROOF_DIRECTION, .least = 0, .most = 0, .name = "direction"},
-      {.proof = GJK_PROOF_NEAREST, .least = 1, .most = 3, .name = "nearest"},
-      {.proof = GJK_PROOF_NEAR, .least = 1, .most = 3, .name = "near"},
-      {.proof = GJK_PROOF_ENCLOSING, .least = 1, .most = 4, .name = "enclosing"},
-  };
-  for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-    for (unsigned count = kinds[i].least; count <= kinds[i].most; count++) {
-      const unsigned long given = c->proofs[kinds[i].proof][count];
-      printf("%lu times %s of %u pairs\n", given, kinds[i].name, count);
-      CHECK_MSG(given > pairs / 1000, "%s of %u pairs: %lu", kinds[i].name, count, given);
-    }
-  }
-}
-
-// Is the family to be run? All are, if no name is given.
-static bool includes(const char *name, const generate_family *family) {
-  return name == NULL || strcmp(name, family->name) == 0;
+static void check_proofs(campaign *c, unsigned long pairs) {
+  static const campaign_proof kinds[] = {{GJK_PROOF_SPHERES, 0, 0, "spheres", 1000},
+                                         {GJK_PROOF_DIRECTION, 0, 0, "direction", 1000},
+                                         {GJK_PROOF_NEAREST, 1, 3, "nearest", 1000},
+                                         {GJK_PROOF_NEAR, 1, 3, "near", 1000},
+                                         {GJK_PROOF_ENCLOSING, 1, 4, "enclosing", 1000}};
+  campaign_check_proofs(kinds, sizeof kinds / sizeof kinds[0], c->proofs, pairs);
 }
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
-  const unsigned long pairs = argc > 2 ? strtoul(argv[2], NULL, 10) : PAIRS;
-  const char *name = argc > 3 ? argv[3] : NULL;
-  const unsigned long each = name != NULL ? pairs : (pairs + generate_family_count - 1) / generate_family_count;
+  const campaign_request asked = campaign_requested(argc, argv, PAIRS, generate_family_count);
   unsigned iterations = 0;
   unsigned long total = 0, refused = 0, brute = 0;
   for (unsigned i = 0; i < generate_family_count; i++) {
     c.family = &generate_families[i];
-    if (includes(name, c.family)) {
-      const unsigned needed = run_family(&c, seed, each);
+    if (campaign_includes(&asked, c.family->name)) {
+      const unsigned needed = run_family(&c, asked.seed, asked.each);
       iterations = needed > iterations ? needed : iterations;
       total += c.pairs;
       refused += c.refused;
@@ -315,17 +280,15 @@ int main(int argc, char **argv) {
     }
   }
   printf("%lu pairs, %u iterations at most\n", total, iterations);
-  CHECK(total >= pairs);
+  CHECK(total >= asked.count);
   // A guard of speed, for the sample of `make test` alone: among millions of slivers some need 21. The proven bound of each
   // pair is checked with its answers.
   CHECK_MSG(argc > 1 || iterations <= 18 || GJK_PLAIN_ITERATIONS != 16, "%u", iterations);
-  if (name == NULL && pairs >= 10000) {
+  if (asked.name == NULL && asked.count >= 10000) {
     CHECK(refused > total / 4);
     CHECK(brute > total / 1000);
     check_proofs(&c, total);
   }
-  case_pair_free(&c.pair);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.pair, &c.a, &c.b);
   return check_done("certificates");
 }

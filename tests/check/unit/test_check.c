@@ -10,15 +10,9 @@
 static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
 static const gjk_shape dot = GJK_POINT, sheet = GJK_TRIANGLE(corners), cube = GJK_BOX(ONE, ONE, ONE);
 
-static gjk_collider placed_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
-  const gjk_vec3 at = {x, y, z};
-  return placed(shape, at);
-}
-
 // The status of the claim "apart; the first count vertices of A and vertex 0 of B are nearest".
 static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t count) {
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   decision.certificate.proof = GJK_PROOF_NEAREST;
   decision.certificate.count = count;
   for (uint8_t i = 0; i < count; i++) {
@@ -68,8 +62,7 @@ static void test_enclosing(void) {
 // A direction proves a gap if each of its components is in range, and its square as well.
 static void test_directions(void) {
   const gjk_collider a = placed_at(&cube, 0, 0, 0);
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   decision.certificate.proof = GJK_PROOF_DIRECTION;
   const gjk_q16 most = 3 * (INT32_C(1) << 29);
   for (int axis = 0; axis < 3; axis++) {
@@ -90,16 +83,14 @@ static void test_directions(void) {
   const gjk_collider near = placed_at(&dot, 1, 0, 0), origin = placed_at(&dot, 0, 0, 0);
   for (int bits = 28; bits <= 29; bits++) {
     const gjk_q16 size = 3 * (INT32_C(1) << bits);
-    const gjk_vec3 diagonal = {-size, size, size};
-    decision.certificate.direction = diagonal;
+    decision.certificate.direction = (gjk_vec3){-size, size, size};
     CHECK(gjk_check_decision(&near, &origin, 0, &decision) == (bits == 28 ? GJK_OK : GJK_ERROR_UNPROVEN));
     CHECK(gjk_check_decision(&near, &origin, 1, &decision) == GJK_ERROR_UNPROVEN);
   }
   // With the convex radii the asked distance needs more than 31 bits.
   static const gjk_shape ball = GJK_SPHERE(ONE);
   const gjk_collider p = placed_at(&ball, 0, 0, 0), q = placed_at(&ball, 5 * ONE, 0, 0);
-  const gjk_vec3 along = {ONE, 0, 0};
-  decision.certificate.direction = along;
+  decision.certificate.direction = (gjk_vec3){ONE, 0, 0};
   CHECK(gjk_check_decision(&p, &q, 3 * ONE - 1, &decision) == GJK_OK);
   CHECK(gjk_check_decision(&p, &q, 3 * ONE, &decision) == GJK_ERROR_UNPROVEN);
   CHECK(gjk_check_decision(&p, &q, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
@@ -112,9 +103,8 @@ static void test_largest(void) {
   const gjk_shape *const shapes[2] = {&box, &barrel};
   for (int i = 0; i < 2; i++) {
     const gjk_collider a = placed_at(shapes[i], 0, 0, 0), b = placed_at(shapes[i], away, away, away);
-    gjk_cache cache;
+    gjk_cache cache = {0};
     gjk_decision decision;
-    memset(&cache, 0, sizeof cache);
     for (int change = 0; change < 3; change++) {
       CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK);
       CHECK(!decision.yes);
@@ -129,8 +119,7 @@ static void test_largest(void) {
 // If the bounding spheres are apart, the answer holds whatever the certificate says.
 static void test_spheres(void) {
   const gjk_collider a = placed_at(&cube, 0, 0, 0), b = placed_at(&cube, 0, 0, 100 * ONE);
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_OK);
   decision.yes = true;
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_ERROR_UNPROVEN);
@@ -143,8 +132,7 @@ static void test_spheres(void) {
 // The right feature, with distances beside the right one.
 static void test_distances(void) {
   const gjk_collider a = placed_at(&dot, 0, 0, 0), b = placed_at(&dot, 3, 4, 0);
-  gjk_distance_result result;
-  memset(&result, 0, sizeof result);
+  gjk_distance_result result = {0};
   CHECK(gjk_distance(&a, &b, NULL, &result) == GJK_OK);
   CHECK(result.distance == 5);
   CHECK(gjk_check_distance(&a, &b, &result) == GJK_OK);
@@ -169,8 +157,7 @@ static void test_penetrations(void) {
   static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, ONE), barrel = GJK_CYLINDER(ONE, ONE);
   const gjk_collider a = placed_at(&cube, 0, 0, 0), b = placed_at(&cube, 0, 0, 2 * ONE - 10),
                      far = placed_at(&cube, 0, 9 * ONE, 0);
-  gjk_penetration_result r;
-  memset(&r, 0, sizeof r);
+  gjk_penetration_result r = {0};
   CHECK(gjk_check_penetration(NULL, &b, &r) == GJK_ERROR_NULL);
   CHECK(gjk_check_penetration(&a, NULL, &r) == GJK_ERROR_NULL);
   CHECK(gjk_check_penetration(&a, &b, NULL) == GJK_ERROR_NULL);
@@ -265,8 +252,7 @@ static void test_planes(void) {
                                axis == 2 ? sign * ONE : ONE};
       const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
                                 axis == 2 ? sign * GJK_Q30_ONE : 0};
-      gjk_penetration_result r;
-      memset(&r, 0, sizeof r);
+      gjk_penetration_result r = {0};
       r.intersecting = true;
       r.point_a = r.point_b = corner;
       r.normal = normal;

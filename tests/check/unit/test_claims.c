@@ -102,8 +102,7 @@ int main(int argc, char **argv) {
   c.random = random_seed(seed);
   for (unsigned long i = 0; i < pairs && c.failures < FAILURES_SHOWN; i++) {
     forge_pair(&c.random, i % 16 == 0 ? EXACT_BRUTE_MAX : EXACT_BRUTE_MAX / 2, &c.pair);
-    const bool built =
-        case_collider_build(&c.a, &c.pair.a, false) == GJK_OK && case_collider_build(&c.b, &c.pair.b, false) == GJK_OK;
+    const bool built = case_pair_build(&c.pair, false, &c.a, &c.b);
     CHECK(built);
     if (built) {
       exact_claims_open(&c.a.collider, &c.b.collider, c.why, sizeof c.why, &c.claims);
@@ -125,8 +124,6 @@ int main(int argc, char **argv) {
       CHECK_MSG(t->changed * 200 > t->tried, "%s", name[kind]);
     }
   }
-  case_pair_free(&c.pair);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.pair, &c.a, &c.b);
   return check_done("claims");
 }

@@ -8,6 +8,7 @@
 #include "generate/polytope.h"
 #include "gjk/check.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 #include "same.h"
 #include "src/shape/gjk_shape_class.h"
 
@@ -79,11 +80,6 @@ static gjk_pose make_pose(random_state *random, bool lattice, gjk_q16 size) {
   return pose;
 }
 
-static void set_up(gjk_collider *c, const gjk_shape *shape, const gjk_pose *pose) {
-  CHECK(gjk_collider_init(c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(c, pose) == GJK_OK);
-}
-
 // The search is taken where both shapes lack the closed form.
 static gjk_shape without_close(gjk_shape shape) {
   shape.type = shape.type == &gjk_class_point ? &searched[0] : &searched[1];
@@ -101,13 +97,12 @@ static void check_pairs(void) {
     const gjk_shape slow[2] = {without_close(shapes[0]), without_close(shapes[1])};
     const gjk_pose poses[2] = {make_pose(&random, lattice, size), make_pose(&random, lattice, size)};
     gjk_collider a, b, slow_a, slow_b;
-    gjk_cache cache;
+    gjk_cache cache = {0};
     answers closed, open;
-    memset(&cache, 0, sizeof cache);
-    set_up(&a, &shapes[0], &poses[0]);
-    set_up(&b, &shapes[1], &poses[1]);
-    set_up(&slow_a, &slow[0], &poses[0]);
-    set_up(&slow_b, &slow[1], &poses[1]);
+    a = posed(&shapes[0], &poses[0]);
+    b = posed(&shapes[1], &poses[1]);
+    slow_a = posed(&slow[0], &poses[0]);
+    slow_b = posed(&slow[1], &poses[1]);
     ask(&slow_a, &slow_b, &cache, &open);
     for (int k = 0; k < 4; k++) {
       cache.direction[k % 3] = (int16_t)random_range(&random, -32768, 32767);

@@ -29,9 +29,8 @@ typedef struct real3 {
 static real3 real_turned(const gjk_quat *q, const gjk_vec3 *v) {
   const long double x = q->x, y = q->y, z = q->z, w = q->w, two = 2 / (x * x + y * y + z * z + w * w);
   const long double a = y * v->z - z * v->y, b = z * v->x - x * v->z, c = x * v->y - y * v->x;
-  const real3 turned = {v->x + two * (w * a + y * c - z * b), v->y + two * (w * b + z * a - x * c),
-                        v->z + two * (w * c + x * b - y * a)};
-  return turned;
+  return (real3){v->x + two * (w * a + y * c - z * b), v->y + two * (w * b + z * a - x * c),
+                 v->z + two * (w * c + x * b - y * a)};
 }
 
 // A unit quaternion. Some are as far off unit length as poses accept, some turn about an axis.
@@ -53,9 +52,8 @@ static gjk_quat random_turn(random_state *random) {
 }
 
 static gjk_vec3 random_about(random_state *random, gjk_vec3 middle, int32_t reach) {
-  const gjk_vec3 v = {middle.x + random_range(random, -reach, reach), middle.y + random_range(random, -reach, reach),
-                      middle.z + random_range(random, -reach, reach)};
-  return v;
+  return (gjk_vec3){middle.x + random_range(random, -reach, reach), middle.y + random_range(random, -reach, reach),
+                    middle.z + random_range(random, -reach, reach)};
 }
 
 static int32_t opposite(long double x) {

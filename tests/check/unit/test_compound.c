@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "generate/body.h"
+#include "placed.h"
 
 static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
 static const gjk_pose identity = GJK_POSE_IDENTITY;
@@ -111,13 +112,12 @@ static void check_body(const gjk_parts *a, const gjk_collider *b, gjk_status exp
 
 static void check_bodies(void) {
   gjk_compound c;
-  gjk_collider b, never;
+  gjk_collider never = {0};
   gjk_decision decision;
   gjk_parts_room room;
   set_row();
   CHECK(gjk_compound_build(parts, 12, nodes, 23, &c) == GJK_OK);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
-  memset(&never, 0, sizeof never);
+  gjk_collider b = posed(&crate, &identity);
   const gjk_parts good = GJK_PARTS_OF_COMPOUND(&c);
   gjk_parts bad = good;
   check_body(NULL, &b, GJK_ERROR_NULL);
@@ -149,8 +149,7 @@ static void check_bodies(void) {
 // one is nearer. By a list and by a tree, with the nearest part first and last.
 static void check_far_parts(void) {
   const gjk_pose there = {{GJK_Q16(30000), 0, 0}, {0, 0, 0, GJK_Q30_ONE}};
-  gjk_collider b;
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &there) == GJK_OK);
+  const gjk_collider b = posed(&crate, &there);
   for (unsigned turn = 0; turn < 4; turn++) {
     const uint16_t count = turn < 2 ? 5 : 30;
     gjk_compound compound;

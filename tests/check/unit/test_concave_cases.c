@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "check.h"
+#include "gjk/gjk.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 #include "scene/concave_world.h"
 
@@ -282,7 +284,6 @@ static void check_unchecked(void) {
   gjk_progress progress;
   gjk_scene_hit hit;
   gjk_q16 distance[2];
-  gjk_collider c = {0};
   const gjk_pose at = {{ONE / 2, 0, 0}, {0, 0, 0, GJK_Q30_ONE}};
   for (unsigned i = 0; i <= CONCAVE_BODIES + MOVERS; i++) {
     shapes[i] = i < 4 ? &refused[i] : &ball;
@@ -297,7 +298,7 @@ static void check_unchecked(void) {
     CHECK(status == GJK_OK || (id.slot == 77 && id.generation == 78));
   }
   CHECK(gjk_scene_update(&scene, reports, REPORTS, &progress) == GJK_OK && progress.reports == 0);
-  CHECK(gjk_collider_init(&c, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &at) == GJK_OK);
+  const gjk_collider c = posed(&ball, &at);
   for (unsigned k = 0; k < 2; k++) {
     bool found;
     CHECK(gjk_scene_query_nearest(&scene, &c, 100 * ONE, NULL, &hit, &distance[k], &found) == GJK_OK && found);

@@ -8,6 +8,7 @@
 #include "generate/surface.h"
 #include "gjk/gjk.h"
 #include "gjk/probe.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 #include "solver/solver.h"
 
@@ -41,12 +42,11 @@ static double component(gjk_q30 x) {
 // lies between those of its neighbours.
 static bool has_normal(const gjk_vec3 *at, const gjk_unit3 *normal) {
   static const gjk_shape point = GJK_SPHERE(ONE / 64);
-  gjk_collider ball = {0};
   const gjk_pose pose = {*at, {0, 0, 0, GJK_Q30_ONE}};
   double low = 1, best = -2;
   double normals[16][3];
   unsigned count = 0;
-  CHECK(gjk_collider_init(&ball, &point, NULL, 0) == GJK_OK && gjk_collider_pose(&ball, &pose) == GJK_OK);
+  const gjk_collider ball = posed(&point, &pose);
   for (uint32_t i = 0; i < gjk_parts_count(&ground) && count < 16; i++) {
     gjk_parts_room room;
     gjk_collider t;
@@ -82,13 +82,12 @@ static bool has_normal(const gjk_vec3 *at, const gjk_unit3 *normal) {
 }
 
 static unsigned scene_manifolds(void *user, unsigned a, unsigned b, gjk_manifold *out, unsigned capacity) {
-  gjk_report report;
+  gjk_report report = {0};
   unsigned count = 0;
   (void)user;
   if (!near[a][b]) {
     return 0;
   }
-  memset(&report, 0, sizeof report);
   report.a = body[a];
   report.b = body[b];
   CHECK(gjk_scene_manifolds(&scene, &report, SOLVER_POINTS_MAX, out, capacity, &count) == GJK_OK);
@@ -150,11 +149,10 @@ static void build(random_state *random, const gjk_parts *parts, const gjk_shape 
                      to = {from.x, from.y, -20 * ONE};
       gjk_scene_hit hit;
       gjk_cast_result result;
-      gjk_collider c = {0};
       bool found = false;
       const gjk_pose start = {from,
                               random_below(random, 2) ? random_rotation(random) : (gjk_quat){0, 0, 0, GJK_Q30_ONE}};
-      CHECK(gjk_collider_init(&c, &movers[i - 1], NULL, 0) == GJK_OK && gjk_collider_pose(&c, &start) == GJK_OK);
+      const gjk_collider c = posed(&movers[i - 1], &start);
       const gjk_scene_filter filter = {1, 1, {0, 0}, NULL, NULL};
       CHECK(gjk_scene_cast(&scene, &c, &to, 0, &filter, &hit, &result, &found) == GJK_OK && found);
       setup.pose = start;

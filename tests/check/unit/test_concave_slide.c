@@ -7,7 +7,9 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "gjk/slide.h"
+#include "placed.h"
 #include "reference/random_shape.h"
+#include "scene_bodies.h"
 
 #define SEED UINT64_C(0x536C6964)
 #define ROOMS check_trials(60)
@@ -99,18 +101,6 @@ static gjk_parts make_bumps(random_state *random) {
   return (gjk_parts)GJK_PARTS_OF_HEIGHT_FIELD(&field);
 }
 
-static void add(gjk_scene *to, uint16_t shape, const gjk_pose *pose) {
-  const gjk_part part = {shape, false, GJK_POSE_IDENTITY};
-  gjk_body_setup setup;
-  gjk_body_id id;
-  memset(&setup, 0, sizeof setup);
-  setup.pose = *pose;
-  setup.parts = &part;
-  setup.part_count = 1;
-  setup.category = setup.mask = 1;
-  CHECK(gjk_scene_add(to, &setup, &id) == GJK_OK);
-}
-
 static void start_scene(const gjk_parts *ground) {
   static const gjk_shape *const shapes[] = {&concave_shape[0], &concave_shape[1]};
   static const gjk_pose at = GJK_POSE_IDENTITY;
@@ -121,7 +111,7 @@ static void start_scene(const gjk_parts *ground) {
   CHECK(gjk_concave_init(&of_gate, &concave[1], &concave_shape[1]) == GJK_OK);
   CHECK(gjk_scene_bytes(&config) <= sizeof block);
   CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, NULL) == GJK_OK);
-  add(&scene, 0, &at);
+  (void)scene_add_shape(&scene, 0, GJK_BODY_STATIC, &at);
 }
 
 // Each part of a body becomes a piece.
@@ -147,13 +137,11 @@ static void cut(const gjk_parts *parts) {
 
 static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
   const gjk_pose pose = AT(x, y, z);
-  memset(c, 0, sizeof *c);
-  CHECK(gjk_collider_init(c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+  *c = posed(shape, &pose);
 }
 
 static gjk_slide_setup usual(void) {
-  gjk_slide_setup s;
-  memset(&s, 0, sizeof s);
+  gjk_slide_setup s = {0};
   s.up.z = GJK_Q30_ONE;
   s.slope = GJK_Q30_ONE / 2;  // 60 degrees
   s.skin = SKIN;
@@ -250,7 +238,7 @@ static void check_gate(const gjk_shape *shape, gjk_q16 half_width, gjk_q16 half)
   gjk_collider c;
   const gjk_parts floor = make_stairs(ONE, 1);
   start_scene(&floor);
-  add(&scene, 1, &at);
+  (void)scene_add_shape(&scene, 1, GJK_BODY_STATIC, &at);
   set_walker(&c, shape, -6 * ONE, 0, half + SKIN);
   gjk_slide_result r = walk(&c, -2 * ONE, 0, half, &setup);
   CHECK(!r.stuck && r.on_ground && is_near(r.position.x, -2 * ONE, 4) && is_near(r.position.y, 0, 4));
@@ -310,7 +298,7 @@ static bool make_room(random_state *random, gjk_collider *c) {
     gjk_parts body = GJK_PARTS_OF_COMPOUND(&gate);
     at.position = (gjk_vec3){random_range(random, from, to), random_range(random, from / 2, to / 2), 0};
     at.rotation = random_rotation(random);
-    add(&scene, 1, &at);
+    (void)scene_add_shape(&scene, 1, GJK_BODY_STATIC, &at);
     body.pose = at;
     cut(&body);
   }
@@ -319,7 +307,7 @@ static bool make_room(random_state *random, gjk_collider *c) {
     CHECK(gjk_scene_bytes(&config) <= sizeof apart_block);
     CHECK(gjk_scene_init(&apart, &config, apart_block, sizeof apart_block, piece_shapes, pieces, NULL) == GJK_OK);
     for (uint16_t i = 0; i < pieces; i++) {
-      add(&apart, i, &piece_poses[i]);
+      (void)scene_add_shape(&apart, i, GJK_BODY_STATIC, &piece_poses[i]);
     }
   }
   set_walker(c, random_below(random, 2) == 0 ? &man : &robot, random_range(random, from, to),

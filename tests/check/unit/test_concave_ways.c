@@ -122,8 +122,7 @@ static bool set_pair(uint32_t fast, uint32_t slot, uint16_t i, uint16_t k, pair_
 static void check_impact(uint32_t fast) {
   const gjk_report *reported = impact_of(fast);
   bool any = false, known = true;
-  gjk_report first;
-  memset(&first, 0, sizeof first);
+  gjk_report first = {0};
   for (uint32_t slot = 0; slot < GAME_BODIES; slot++) {
     const game_body *other = &m.body[slot];
     if (slot == fast || !other->there || !game_may_meet(&m, fast, slot) || other->setup.detail == GJK_DETAIL_SENSOR) {
@@ -256,12 +255,10 @@ static void check_places(const question *q) {
 
 static void check_question(random_state *random) {
   question q;
-  gjk_scene_hit hit, first;
-  gjk_cast_result result, best, trial;
+  gjk_scene_hit hit, first = {0};
+  gjk_cast_result result, best = {0}, trial;
   bool found, any = false;
   draw_question(random, &q);
-  memset(&first, 0, sizeof first);
-  memset(&best, 0, sizeof best);
   const gjk_status status = q.ray ? gjk_scene_cast_ray(&s.scene, &q.from, &q.to, NULL, &hit, &result, &found)
                                   : gjk_scene_cast(&s.scene, &q.c, &q.to, q.margin, NULL, &hit, &result, &found);
   if (status == GJK_ERROR_RANGE) {  // the centre would leave int32

@@ -5,7 +5,7 @@
 
 #include "case/case.h"
 #include "contacts_scene.h"
-#include "random.h"
+#include "random_vec.h"
 
 #define PAIRS ((int)check_trials(60000))
 
@@ -23,17 +23,12 @@ static void test_boxes(void) {
   CHECK(has_corners(&m, ONE, MARGIN));
   // Moved aside by half: what the faces share.
   m = meet(&box, origin, &box, at(ONE, 0, 2 * ONE - 7), 4);
-  CHECK(m.count == 4);
-  CHECK(has_point(&m, 0, ONE, -7));
-  CHECK(has_point(&m, ONE, -ONE, -7));
-  CHECK(has_point(&m, ONE, ONE, -7));
+  HAS(m, 4, {0, ONE, -7}, {ONE, -ONE, -7}, {ONE, ONE, -7});
   // Turned by an eighth: an octagon, of which four points far apart are kept on demand.
   const gjk_pose eighth = turned(at(0, 0, 2 * ONE - 50), &axis_z, EIGHTH_TURN);
   const gjk_q16 corner = 27146;  // tan 22.5 degrees
   m = meet(&box, origin, &box, eighth, 8);
-  CHECK(m.count == 8);
-  CHECK(has_point(&m, corner, ONE, -50));
-  CHECK(has_point(&m, -ONE, -corner, -50));
+  HAS(m, 8, {corner, ONE, -50}, {-ONE, -corner, -50});
   m = meet(&box, origin, &box, eighth, 4);
   CHECK(m.count == 4);
   gjk_q16 low = ONE, high = -ONE;
@@ -65,16 +60,11 @@ static void test_edges(void) {
   const gjk_q16 height = 92682;  // sqrt(2)
   const gjk_pose edge_up = turned(origin, &axis_x, EIGHTH_TURN);
   gjk_manifold m = meet(&box, origin, &box, turned(at(0, 0, ONE + height - 40), &axis_x, EIGHTH_TURN), 4);
-  CHECK(m.count == 2);
-  CHECK(has_point(&m, -ONE, 0, -40));
-  CHECK(has_point(&m, ONE, 0, -40));
+  HAS(m, 2, {-ONE, 0, -40}, {ONE, 0, -40});
   m = meet(&box, edge_up, &box, turned(at(HALF, 0, 2 * height + 40), &axis_x, EIGHTH_TURN), 4);
-  CHECK(m.count == 2);
-  CHECK(has_point(&m, -HALF, 0, 40));
-  CHECK(has_point(&m, ONE, 0, 40));
+  HAS(m, 2, {-HALF, 0, 40}, {ONE, 0, 40});
   m = meet(&box, edge_up, &box, turned(at(0, 0, 2 * height - 40), &axis_y, EIGHTH_TURN), 4);
-  CHECK(m.count == 1);
-  CHECK(has_point(&m, 0, 0, -39));
+  HAS(m, 1, {0, 0, -39});
 }
 
 static void test_round_shapes(void) {
@@ -82,37 +72,25 @@ static void test_round_shapes(void) {
                          rounded = GJK_ROUNDED_BOX(HALF, HALF, HALF, HALF / 2), cylinder = GJK_CYLINDER(HALF, ONE),
                          cone = GJK_CONE(HALF, ONE), ellipsoid = GJK_ELLIPSOID(HALF, ONE, HALF);
   gjk_manifold m = meet(&box, origin, &ball, at(100, 200, ONE + HALF - 9), 4);
-  CHECK(m.count == 1);
-  CHECK(has_point(&m, 100, 200, -9));
+  HAS(m, 1, {100, 200, -9});
   m = meet(&box, origin, &capsule, turned(at(0, 0, ONE + HALF / 2 - 9), &axis_y, QUARTER_TURN), 4);
-  CHECK(m.count == 2);
-  CHECK(has_point(&m, HALF, 0, -9));
-  CHECK(has_point(&m, -HALF, 0, -9));
+  HAS(m, 2, {HALF, 0, -9}, {-HALF, 0, -9});
   m = meet(&capsule, turned(origin, &axis_y, QUARTER_TURN), &capsule,
            turned(at(HALF, 0, HALF - 9), &axis_y, QUARTER_TURN), 4);
-  CHECK(m.count == 2);
-  CHECK(has_point(&m, HALF, 0, -9));
-  CHECK(has_point(&m, 0, 0, -9));
+  HAS(m, 2, {HALF, 0, -9}, {0, 0, -9});
   m = meet(&capsule, turned(origin, &axis_y, QUARTER_TURN), &capsule, turned(at(0, 0, HALF - 9), &axis_x, QUARTER_TURN),
            4);
-  CHECK(m.count == 1);
-  CHECK(has_point(&m, 0, 0, -9));
+  HAS(m, 1, {0, 0, -9});
   m = meet(&rounded, origin, &box, at(0, 0, HALF + HALF / 2 + ONE - 77), 4);
   CHECK(has_corners(&m, HALF, -77));
   m = meet(&box, origin, &cylinder, at(0, 0, 2 * ONE - 36), 4);
-  CHECK(m.count == 4);
-  CHECK(has_point(&m, HALF, 0, -36));
-  CHECK(has_point(&m, 0, -HALF, -36));
+  HAS(m, 4, {HALF, 0, -36}, {0, -HALF, -36});
   CHECK(m.feature_b == 1);
   m = meet(&box, origin, &cylinder, turned(at(0, 0, ONE + HALF - 36), &axis_y, QUARTER_TURN), 4);
-  CHECK(m.count == 2);
-  CHECK(has_point(&m, ONE, 0, -36));
-  CHECK(has_point(&m, -ONE, 0, -36));
+  HAS(m, 2, {ONE, 0, -36}, {-ONE, 0, -36});
   CHECK(m.feature_b == 2);
   m = meet(&box, origin, &cone, at(0, 0, 2 * ONE - 36), 4);
-  CHECK(m.count == 4);
-  CHECK(has_point(&m, -HALF, 0, -36));
-  CHECK(has_point(&m, 0, HALF, -36));
+  HAS(m, 4, {-HALF, 0, -36}, {0, HALF, -36});
   m = meet(&box, origin, &ellipsoid, at(7, 8, ONE + HALF - 36), 4);
   CHECK(m.count == 1);
   CHECK(is_near(m.contact[0].distance, -36, 4));
@@ -124,8 +102,8 @@ static void test_reduced_deepest(void) {
   const gjk_pose tilted = {{-14092, -3172, 0}, {15454, -5824, 0, GJK_Q30_ONE}}, beside = at(2421, 0, 2426);
   gjk_collider a, b;
   gjk_distance_result d;
-  place(&disc, &tilted, &a);
-  place(&coin, &beside, &b);
+  a = posed(&disc, &tilted);
+  b = posed(&coin, &beside);
   CHECK(gjk_signed_distance(&a, &b, NULL, &workspace, &d) == GJK_OK);
   for (unsigned most = 1; most <= GJK_CONTACTS_MAX; most++) {
     const gjk_manifold m = meet(&disc, tilted, &coin, beside, most);
@@ -158,8 +136,8 @@ static void test_statuses(void) {
   memset(&poison, 0xA5, sizeof poison);
   m = poison;
   const gjk_pose near = at(0, 0, ONE);
-  place(&bare_cube, &origin, &a);
-  place(&bare_cube, &near, &b);
+  a = posed(&bare_cube, &origin);
+  b = posed(&bare_cube, &near);
   CHECK(gjk_contacts(NULL, &b, 0, 4, NULL, NULL, &m) == GJK_ERROR_NULL);
   CHECK(gjk_contacts(&a, NULL, 0, 4, NULL, NULL, &m) == GJK_ERROR_NULL);
   CHECK(gjk_contacts(&a, &b, 0, 4, NULL, NULL, NULL) == GJK_ERROR_NULL);
@@ -223,9 +201,7 @@ static gjk_pose random_pose(random_state *random, gjk_q16 reach) {
   if (random_below(random, 3) != 0) {
     gjk_quat_normalize(&q, &pose.rotation);
   }
-  pose.position.x = random_range(random, -reach, reach);
-  pose.position.y = random_range(random, -reach, reach);
-  pose.position.z = random_range(random, -reach, reach);
+  pose.position = random_in_cube(random, reach);
   return pose;
 }
 
@@ -284,9 +260,8 @@ static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
 
 static void test_random(void) {
   random_state random = random_seed(check_seed(61));
-  static case_posed posed;
-  tally t;
-  memset(&t, 0, sizeof t);
+  static case_posed shown;
+  tally t = {0};
   unsigned long moved = 0;
   for (int n = 0; n < PAIRS; n++) {
     gjk_collider a, b;
@@ -298,10 +273,10 @@ static void test_random(void) {
     const unsigned most = random_below(&random, 2) == 0 ? 4 : 8;
     const gjk_q16 margin = random_range(&random, 0, 5000);
     const case_posed now = {shape_a, shape_b, pose_a, pose_b};
-    posed = now;
-    check_trial((unsigned long)n, case_show_posed, &posed);
-    place(&shape_a, &pose_a, &a);
-    place(&shape_b, &pose_b, &b);
+    shown = now;
+    check_trial((unsigned long)n, case_show_posed, &shown);
+    a = posed(&shape_a, &pose_a);
+    b = posed(&shape_b, &pose_b);
     check_pair(&a, &b, margin, most, &t, n);
     gjk_manifold before, after;
     if (gjk_contacts(&a, &b, margin, 8, NULL, &workspace, &before) == GJK_OK && before.count > 0) {

@@ -28,36 +28,24 @@ static void test_features(void) {
     const gjk_pose pose = at(0, 0, sign * (ONE - 100)), beyond = at(0, 0, sign * (2 * ONE - 100)),
                    beside = at(sign * (ONE + HALF - 100), 0, 0);
     gjk_manifold m = meet(&sheet, origin, &box, pose, 8);
-    CHECK(m.count == 3);
+    HAS(m, 3, {-ONE, -ONE, -100}, {ONE, -ONE, -100}, {0, ONE, -100});
     CHECK(m.feature_a == (sign < 0));
     CHECK(m.feature_b == (sign < 0 ? 4 : 5));
-    CHECK(has_point(&m, -ONE, -ONE, -100));
-    CHECK(has_point(&m, ONE, -ONE, -100));
-    CHECK(has_point(&m, 0, ONE, -100));
     m = meet(&cylinder, origin, &box, beyond, 8);
-    CHECK(m.count == 8);
-    CHECK(m.feature_a == (sign < 0));
     const gjk_q16 diagonal = 23170;  // half of cos 45 degrees
-    CHECK(has_point(&m, HALF, 0, -100));
-    CHECK(has_point(&m, 0, -HALF, -100));
-    CHECK(has_point(&m, diagonal, -diagonal, -100));
-    CHECK(has_point(&m, -diagonal, diagonal, -100));
+    HAS(m, 8, {HALF, 0, -100}, {0, -HALF, -100}, {diagonal, -diagonal, -100}, {-diagonal, diagonal, -100});
+    CHECK(m.feature_a == (sign < 0));
     m = meet(&cylinder, origin, &box, beside, 8);
     CHECK(m.count == 2);
     CHECK(m.feature_a == 2);
     CHECK(is_near(m.contact[0].point_a.x, sign * HALF, 3));
+    m = meet(&cone, origin, &box, beyond, 8);
     if (sign < 0) {
-      m = meet(&cone, origin, &box, beyond, 8);
-      CHECK(m.count == 8);
-      CHECK(m.feature_a == 1);
-      CHECK(has_point(&m, -HALF, 0, -100));
-      CHECK(has_point(&m, diagonal, diagonal, -100));
+      HAS(m, 8, {-HALF, 0, -100}, {diagonal, diagonal, -100});
     } else {
-      m = meet(&cone, origin, &box, beyond, 8);
-      CHECK(m.count == 1);
-      CHECK(m.feature_a == 2);
-      CHECK(has_point(&m, 0, 0, -100));
+      HAS(m, 1, {0, 0, -100});
     }
+    CHECK(m.feature_a == (sign < 0 ? 1 : 2));
   }
   // Only the lower face is given.
   static const uint16_t end[1] = {4};
@@ -72,7 +60,7 @@ static void test_features(void) {
     CHECK(gjk_quat_from_axis_angle(&lean, EIGHTH_TURN / 4, &pose.rotation) == GJK_OK);
     gjk_collider c;
     gjk_vec3 high = {0, 0, 0};
-    place(&half_open, &pose, &c);
+    c = posed(&half_open, &pose);
     gjk_aabb bounds;
     CHECK(gjk_collider_aabb(&c, &bounds) == GJK_OK);
     m = meet(&half_open, pose, &box, at(0, 0, bounds.upper.z + ONE - 100), 4);
@@ -93,13 +81,9 @@ static void test_edge_over_corner(void) {
       const gjk_vec3 around[3] = {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
       const gjk_shape sheet = GJK_TRIANGLE(around);
       gjk_manifold m = meet(&sheet, origin, &needle, at(0, 0, sign * 40), 8);
-      CHECK(m.count == 2);
-      CHECK(has_point(&m, 0, ONE, 40));
-      CHECK(has_point(&m, 0, -ONE, 40));
+      HAS(m, 2, {0, ONE, 40}, {0, -ONE, 40});
       m = meet(&needle, at(0, 0, sign * 40), &sheet, origin, 8);
-      CHECK(m.count == 2);
-      CHECK(has_point(&m, 0, ONE, 40));
-      CHECK(has_point(&m, 0, -ONE, 40));
+      HAS(m, 2, {0, ONE, 40}, {0, -ONE, 40});
     }
   }
 }
@@ -113,9 +97,7 @@ static void test_ridge(void) {
   static const gjk_hull_faces faces = {corners, ends, 5};
   static const gjk_shape roof = GJK_HULL_WITH_FACES(points, 6, &faces);
   const gjk_manifold m = meet(&roof, origin, &box, at(0, 0, ONE + 100), 4);
-  CHECK(m.count == 2);
-  CHECK(has_point(&m, 0, 0, 100));
-  CHECK(has_point(&m, ONE, 0, 100));
+  HAS(m, 2, {0, 0, 100}, {ONE, 0, 100});
   CHECK(m.feature_a == 256);
 }
 
@@ -133,9 +115,7 @@ static void test_leaning_triangle(void) {
       const gjk_shape sheet = GJK_TRIANGLE(corners);
       const gjk_manifold m = meet(&sheet, origin, &box, at(0, 0, -ONE - 100), 4);
       const int low = first < second ? first : second, high = first < second ? second : first;
-      CHECK(m.count == 2);
-      CHECK(has_point(&m, 0, -HALF, 100));
-      CHECK(has_point(&m, 0, HALF, 100));
+      HAS(m, 2, {0, -HALF, 100}, {0, HALF, 100});
       CHECK_MSG(m.feature_a == 256 * high + low, "%d of %d and %d", m.feature_a, first, second);
     }
   }
@@ -148,9 +128,7 @@ static void test_standing_sheets(void) {
       const gjk_shape sheet = GJK_BOX(flat == 0 ? 0 : HALF, flat == 1 ? 0 : HALF, 2 * ONE);
       const gjk_q16 x = flat == 0 ? 0 : HALF, y = flat == 1 ? 0 : HALF;
       const gjk_manifold m = meet(&box, origin, &sheet, at(0, 0, sign * (3 * ONE + 9)), 4);
-      CHECK(m.count == 2);
-      CHECK(has_point(&m, x, y, 9));
-      CHECK(has_point(&m, -x, -y, 9));
+      HAS(m, 2, {x, y, 9}, {-x, -y, 9});
     }
   }
 }
@@ -162,9 +140,7 @@ static void test_flat_shapes(void) {
     const gjk_shape needle = GJK_BOX(axis == 0 ? HALF : 0, axis == 1 ? HALF : 0, axis == 2 ? HALF : 0);
     const gjk_pose down = axis == 2 ? turned(at(0, 0, ONE - 9), &axis_y, QUARTER_TURN) : at(0, 0, ONE - 9);
     gjk_manifold m = meet(&box, origin, &needle, down, 4);
-    CHECK(m.count == 2);
-    CHECK(has_point(&m, axis == 1 ? 0 : HALF, axis == 1 ? HALF : 0, -9));
-    CHECK(has_point(&m, axis == 1 ? 0 : -HALF, axis == 1 ? -HALF : 0, -9));
+    HAS(m, 2, {axis == 1 ? 0 : HALF, axis == 1 ? HALF : 0, -9}, {axis == 1 ? 0 : -HALF, axis == 1 ? -HALF : 0, -9});
     m = meet(&needle, down, &box, origin, 4);
     CHECK(m.count == 2);
     const gjk_shape splinter = GJK_BOX(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
@@ -178,14 +154,13 @@ static void test_flat_shapes(void) {
     const gjk_pose on_top = at(100, 200, ONE + points[i]->convex_radius - 9);
     gjk_collider a, b;
     gjk_manifold m;
-    place(&box, &origin, &a);
+    a = posed(&box, &origin);
     for (int poison = 0; poison < 256; poison += 85) {
       memset(&b, poison, sizeof b);
       CHECK(gjk_collider_init(&b, points[i], NULL, 0) == GJK_OK);
       CHECK(gjk_collider_pose(&b, &on_top) == GJK_OK);
       CHECK(gjk_contacts(&a, &b, MARGIN, 4, NULL, &workspace, &m) == GJK_OK);
-      CHECK(m.count == 1);
-      CHECK(has_point(&m, 100, 200, -9));
+      HAS(m, 1, {100, 200, -9});
       CHECK(m.contact[0].point_b.z == ONE - 9);
       CHECK(m.feature_b == 0);
     }
@@ -199,13 +174,13 @@ static void test_reach(void) {
   const gjk_manifold corners = meet(&ball, origin, &ball, at(ONE, 0, 0), 1);
   gjk_collider a, b;
   gjk_manifold m;
-  place(&box, &origin, &a);
+  a = posed(&box, &origin);
   for (int axis = 0; axis < 3; axis++) {
     for (int sign = -1; sign <= 1; sign += 2) {
       for (gjk_q16 beyond = 0; beyond < 2; beyond++) {
         const gjk_q16 by = sign * (reach + beyond);
         const gjk_pose there = at(axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0);
-        place(&box, &there, &b);
+        b = posed(&box, &there);
         CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond, 8, NULL, &workspace, &m) == GJK_OK);
         CHECK(m.count == (beyond != 0 ? 1 : 4));
         CHECK(m.contact[0].distance == reach - 2 * ONE + beyond);
@@ -312,7 +287,7 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
 
 static void test_fewer(void) {
   random_state random = random_seed(check_seed(62));
-  static case_posed posed;
+  static case_posed shown;
   const gjk_vec3 *const axes[3] = {&axis_x, &axis_y, &axis_z};
   for (int i = 0; i < 600; i++) {
     gjk_collider a, b;
@@ -326,11 +301,10 @@ static void test_fewer(void) {
                                                 : side2,
                                     axis == 2 ? up : side2),
                                  axes[axis], EIGHTH_TURN + random_range(&random, -ONE / 8, ONE / 8));
-    const case_posed now = {flat, flat, origin, turn};
-    posed = now;
-    check_trial((unsigned long)i, case_show_posed, &posed);
-    place(&flat, &origin, &a);
-    place(&flat, &turn, &b);
+    shown = (case_posed){flat, flat, origin, turn};
+    check_trial((unsigned long)i, case_show_posed, &shown);
+    a = posed(&flat, &origin);
+    b = posed(&flat, &turn);
     check_fewer(&a, &b, axis, false);
     check_fewer(&b, &a, axis, false);
   }
@@ -351,19 +325,19 @@ static void test_fewer_of_few_kinds(void) {
   const gjk_pose on_top = at(0, 0, 2 * ONE - 100), above = at(0, 0, ONE + 100), beside = at(HALF + ONE, 0, ONE + 100),
                  below = at(0, 0, -ONE - 100), over = {{0, 0, 0}, {GJK_Q30_ONE, 0, 0, 0}};
   gjk_collider a, b;
-  place(&box, &origin, &a);
-  place(&cylinder, &on_top, &b);
+  a = posed(&box, &origin);
+  b = posed(&cylinder, &on_top);
   check_fewer(&a, &b, 2, false);
-  place(&triangle, &origin, &a);
-  place(&box, &above, &b);
+  a = posed(&triangle, &origin);
+  b = posed(&box, &above);
   check_fewer(&a, &b, 2, false);
-  place(&box, &beside, &b);
+  b = posed(&box, &beside);
   check_fewer(&a, &b, 2, true);
-  place(&square, &origin, &a);
-  place(&box, &above, &b);
+  a = posed(&square, &origin);
+  b = posed(&box, &above);
   check_fewer(&a, &b, 2, false);
-  place(&square, &over, &a);  // the other way around
-  place(&box, &below, &b);
+  a = posed(&square, &over);  // the other way around
+  b = posed(&box, &below);
   check_fewer(&a, &b, 2, false);
 }
 
@@ -377,10 +351,8 @@ static void test_crossing_faces(void) {
   for (int i = 0; i < 24; i++) {
     const double angle = 6.283185307179586 * (i % 12) / 12, step = angle + 0.09;
     const gjk_q16 z = i < 12 ? -ONE : ONE;
-    const gjk_vec3 v = {(gjk_q16)(ONE * cos(angle)), (gjk_q16)(ONE * sin(angle)), z},
-                   w = {(gjk_q16)(ONE * cos(step)), (gjk_q16)(ONE * sin(step)), z};
-    star[0][i] = v;
-    star[1][i] = w;
+    star[0][i] = (gjk_vec3){(gjk_q16)(ONE * cos(angle)), (gjk_q16)(ONE * sin(angle)), z};
+    star[1][i] = (gjk_vec3){(gjk_q16)(ONE * cos(step)), (gjk_q16)(ONE * sin(step)), z};
     around[i] = (uint16_t)(i < 12 ? 5 * (11 - i) % 12 : 12 + 5 * (i - 12) % 12);
   }
   const gjk_shape one = GJK_HULL_WITH_FACES(star[0], 24, &faces), two = GJK_HULL_WITH_FACES(star[1], 24, &faces);
@@ -400,11 +372,7 @@ static void test_repeated_corner(void) {
   static const gjk_hull_faces faces = {doubled, ends, 6};
   static const gjk_shape hull = GJK_HULL_WITH_FACES(cube_vertices, 8, &faces);
   gjk_manifold m = meet(&hull, origin, &box, at(ONE, HALF, 2 * ONE - 100), 8);
-  CHECK(m.count == 4);
-  CHECK(has_point(&m, 0, -HALF, -100));
-  CHECK(has_point(&m, ONE, -HALF, -100));
-  CHECK(has_point(&m, 0, ONE, -100));
-  CHECK(has_point(&m, ONE, ONE, -100));
+  HAS(m, 4, {0, -HALF, -100}, {ONE, -HALF, -100}, {0, ONE, -100}, {ONE, ONE, -100});
   CHECK(m.feature_a == 1);
 }
 

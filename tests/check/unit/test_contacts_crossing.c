@@ -16,10 +16,9 @@ typedef struct edge {
 static edge edge_of(const gjk_collider *c, int sign) {
   const gjk_vec3 *f = c->frame;
   const double y = f[1].z * sign > 0 ? 1 : -1, z = f[2].z * sign > 0 ? 1 : -1;
-  const edge e = {{c->centre.x - f[0].x + y * f[1].x + z * f[2].x, c->centre.y - f[0].y + y * f[1].y + z * f[2].y,
-                   c->centre.z - f[0].z + y * f[1].z + z * f[2].z},
-                  {2.0 * f[0].x, 2.0 * f[0].y, 2.0 * f[0].z}};
-  return e;
+  return (edge){{c->centre.x - f[0].x + y * f[1].x + z * f[2].x, c->centre.y - f[0].y + y * f[1].y + z * f[2].y,
+                 c->centre.z - f[0].z + y * f[1].z + z * f[2].z},
+                {2.0 * f[0].x, 2.0 * f[0].y, 2.0 * f[0].z}};
 }
 
 // Where e crosses f seen along z, as a part of e's length, and the sine of their angle.
@@ -77,8 +76,8 @@ typedef struct tally {
 static void check_pair(const pair *p, int n, tally *t) {
   gjk_collider a, b;
   gjk_manifold m;
-  place(&p->shape_a, &p->pose_a, &a);
-  place(&p->shape_b, &p->pose_b, &b);
+  a = posed(&p->shape_a, &p->pose_a);
+  b = posed(&p->shape_b, &p->pose_b);
   CHECK(gjk_contacts(&a, &b, MARGIN, 4, NULL, &workspace, &m) == GJK_OK);
   CHECK(m.count > 0);
   double aside = 0;

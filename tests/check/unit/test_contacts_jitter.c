@@ -170,8 +170,7 @@ static void measure(const gjk_manifold *before, const gjk_manifold *now, tally *
 
 static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const gjk_pose *pose, unsigned least,
                   unsigned most, tally *t) {
-  gjk_manifold before, now;
-  memset(&before, 0, sizeof before);
+  gjk_manifold before = {0}, now;
   for (int tick = 0; tick < TICKS; tick++) {
     const gjk_pose there = tremble(random, pose);
     CHECK(gjk_collider_pose(b, &there) == GJK_OK);

@@ -2,7 +2,6 @@
 // normal, nothing missed at the deepest, the same from the other side, and ids that last.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "generate/prism.h"

@@ -2,28 +2,18 @@
 # gjk-convert: exact answers of point sets, each format, what it writes, and what it says about broken files.
 # usage: test_convert.sh BUILD
 set -u
+. tests/build/count.sh
 build=$1
 convert=$build/gjk-convert
 work=$build/convert
-passed=0
-failed=0
 rm -rf "$work"
 mkdir -p "$work"
 
-check() { # NAME EXPECTED FOUND
-  if [ "$2" = "$3" ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf '%s: expected\n%s\nfound\n%s\n' "$1" "$2" "$3"
-  fi
-}
-
 # Sets that break hull builders with tolerances; their exact answers.
 while read -r name expected; do
-  check "$name" "$expected" "$("$convert" --hull --info "tests/data/hulls/$name.txt")"
+  check "$name" is "$expected" "$("$convert" --hull --info "tests/data/hulls/$name.txt")"
 done <tests/data/hulls/expected
-check 'all samples are in the list' "$(find tests/data/hulls -name '*.txt' | wc -l)" "$(wc -l <tests/data/hulls/expected)"
+check 'all samples are in the list' is "$(find tests/data/hulls -name '*.txt' | wc -l)" "$(wc -l <tests/data/hulls/expected)"
 
 # One tetrahedron in each format.
 cat >"$work/t.obj" <<END
@@ -119,35 +109,35 @@ ply_header() { # FORMAT
 # Six times its volume: 1 times 1/4 times 1/2 unit, in LSB.
 volume=35184372088832
 for file in t.obj t.off t.ply little.ply big.ply; do
-  check "$file" "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
+  check "$file" is "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
 done
 for file in t.stl bytes.stl; do
-  check "$file" "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
+  check "$file" is "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
 done
 # Lines that end otherwise, and a byte order mark before the first one.
 tr '\n' '\r' <"$work/t.obj" >"$work/cr.obj"
 awk '{ printf "%s\r\n", $0 }' "$work/t.obj" >"$work/crlf.obj"
 { printf '\357\273\277' && sed 1d "$work/t.obj"; } >"$work/mark.obj"
 tr '[:lower:]' '[:upper:]' <"$work/t.stl" >"$work/upper.stl"
-check 'upper.stl' "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/upper.stl")"
+check 'upper.stl' is "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/upper.stl")"
 for file in cr.obj crlf.obj mark.obj; do
-  check "$file" "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
+  check "$file" is "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
 done
 sed '$d' "$work/t.obj" >"$work/open.obj"
-check 'open' "points=4 vertices=4 faces=4 volume6=$volume watertight=no" "$("$convert" --info "$work/open.obj")"
+check 'open' is "points=4 vertices=4 faces=4 volume6=$volume watertight=no" "$("$convert" --info "$work/open.obj")"
 awk -f tests/data/meshes/torus.awk >"$work/torus.obj"
 for mesh in tests/data/hulls/l_bracket.obj "$work/torus.obj" tests/data/hulls/u_channel.obj; do
-  check "$mesh" 'watertight=yes' "$("$convert" --millimetres --info "$mesh" | sed 's/.* //')"
+  check "$mesh" is 'watertight=yes' "$("$convert" --millimetres --info "$mesh" | sed 's/.* //')"
 done
 printf '0 0 0\n7 7 7\n3 3 3\n' >"$work/line.txt"
-check 'a line' 'points=3 vertices=2 faces=0 volume6=0 watertight=no' "$("$convert" --info "$work/line.txt")"
+check 'a line' is 'points=3 vertices=2 faces=0 volume6=0 watertight=no' "$("$convert" --info "$work/line.txt")"
 
 # C that compiles, and a case that gjk-query answers: the hull touches itself moved by its own length.
 for name in cyl32 dup_cube4 ico2_20lsb; do
   "$convert" "tests/data/hulls/$name.txt" >"$work/$name.c" 2>/dev/null
   ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/$name.c" -o "$work/$name.o"
-  check "$name.c compiles" 0 $?
-  check "$name as a case" "$name intersecting" \
+  check "$name.c compiles" is 0 $?
+  check "$name as a case" is "$name intersecting" \
     "$("$convert" --case "tests/data/hulls/$name.txt" 2>/dev/null | "$build/gjk-query" - | sed "s/ iterations.*//")"
 done
 # The constants have the same bits as the hull that is built where they are compiled, and a table that is proven; here, with
@@ -188,48 +178,45 @@ same_constants() {
 }
 for name in cyl32 cell44_0 dup_cube4; do
   "$convert" --table 1 --name shape "tests/data/hulls/$name.txt" >"$work/$name.c" 2>/dev/null
-  check "$name: constants" '1 1 1 1 fault 0 table 0' "$(same_constants "$name" "${CC:-cc}" '')"
+  check "$name: constants" is '1 1 1 1 fault 0 table 0' "$(same_constants "$name" "${CC:-cc}" '')"
 done
-skipped=0
 for linux in i686:i386 s390x:s390x; do
   if command -v "${linux%:*}-linux-gnu-gcc" >/dev/null && command -v "qemu-${linux#*:}" >/dev/null; then
-    check "cell44_0: constants on ${linux%:*}" '1 1 1 1 fault 0 table 0' \
+    check "cell44_0: constants on ${linux%:*}" is '1 1 1 1 fault 0 table 0' \
       "$(same_constants cell44_0 "${linux%:*}-linux-gnu-gcc -static" "qemu-${linux#*:}")"
   else
-    skipped=$((skipped + 1))
-    echo "skipped: constants on ${linux%:*}: needs gcc-${linux%:*}-linux-gnu qemu-user"
+    skip "constants on ${linux%:*}" "gcc-${linux%:*}-linux-gnu qemu-user"
   fi
 done
 if command -v arm-none-eabi-gcc >/dev/null; then
   arm-none-eabi-gcc -std=c99 -mcpu=cortex-m3 -mthumb -Wall -Wextra -Werror -Iinclude -c "$work/cell44_0.c" -o "$work/cell44_0.o"
-  check 'constants are in flash on Cortex-M3' 0 \
+  check 'constants are in flash on Cortex-M3' is 0 \
     "$(arm-none-eabi-size -A "$work/cell44_0.o" | awk '$1 ~ /^\.(data|bss)/ { n += $2 } END { print n + 0 }')"
 else
-  skipped=$((skipped + 1))
-  echo 'skipped: constants on Cortex-M3: needs gcc-arm-none-eabi'
+  skip 'constants on Cortex-M3' gcc-arm-none-eabi
 fi
 
 # At most so many vertices, and what is said of them.
 "$convert" --vertices 16 --name shape tests/data/hulls/cyl32.txt >"$work/simple.c" 2>"$work/said"
-check 'at most 16 vertices' 'static const gjk_vec3 shape_vertices[16] = {' "$(grep gjk_vec3 "$work/simple.c")"
-check 'what is said of 16' 1 "$(grep -c 'all points are enclosed, exactly; the vertices reach at most [0-9]* LSB beyond' "$work/said")"
-check 'as many vertices as there are' "$("$convert" --name a tests/data/hulls/cell44_0.txt 2>/dev/null | cksum)" \
+check 'at most 16 vertices' is 'static const gjk_vec3 shape_vertices[16] = {' "$(grep gjk_vec3 "$work/simple.c")"
+check 'what is said of 16' is 1 "$(grep -c 'all points are enclosed, exactly; the vertices reach at most [0-9]* LSB beyond' "$work/said")"
+check 'as many vertices as there are' is "$("$convert" --name a tests/data/hulls/cell44_0.txt 2>/dev/null | cksum)" \
   "$("$convert" --name a --vertices 44 tests/data/hulls/cell44_0.txt 2>/dev/null | cksum)"
 for options in '--vertices 3' '--vertices 4.5' '--table 5' '--table x' '--mesh --table 1' '--decompose --vertices 8'; do
   # shellcheck disable=SC2086 # words are wanted
   found=$("$convert" $options "$work/t.obj" 2>&1)
-  check "options $options: status" 2 $?
-  check "options $options: a message" 1 "$(echo "$found" | grep -c -e '^gjk-convert: ')"
+  check "options $options: status" is 2 $?
+  check "options $options: a message" is 1 "$(echo "$found" | grep -c -e '^gjk-convert: ')"
 done
 "$convert" --name 7-up "$work/line.txt" >"$work/line.c" 2>/dev/null
 ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/line.c" -o "$work/line.o"
-check 'a line compiles' 0 $?
-check 'its name' 1 "$(grep -c 'const gjk_shape _7_up = ' "$work/line.c")"
+check 'a line compiles' is 0 $?
+check 'its name' is 1 "$(grep -c 'const gjk_shape _7_up = ' "$work/line.c")"
 
 # Broken files: the message names the line, nothing is written, the status is 2.
 # Surfaces. An L in three dimensions has one edge that is concave, counted from both sides.
 mesh_info() { # FILE EXPECTED
-  check "surface of $1" "$2" "$("$convert" --mesh --info "$1")"
+  check "surface of $1" is "$2" "$("$convert" --mesh --info "$1")"
 }
 mesh_info tests/data/hulls/l_bracket.obj 'triangles=20 vertices=12 convex=34 flat=24 concave=2 open=0 fault=0 watertight=yes'
 mesh_info tests/data/hulls/u_channel.obj 'triangles=28 vertices=16 convex=44 flat=36 concave=4 open=0 fault=0 watertight=yes'
@@ -259,13 +246,13 @@ for outline in '0 0 4 0 4 1 1 1 1 4 0 4' '0 0 5 0 5 4 4 4 4 1 1 1 1 4 0 4' '0 0 
     4) expected=' triangles=44 vertices=24 convex=64 flat=60 concave=8 open=0 fault=0 watertight=yes' ;;
     *) expected=' triangles=24 vertices=14 convex=38 flat=32 concave=2 open=0 fault=0 watertight=yes' ;;
   esac
-  check "outline $number" "$expected" "$told"
+  check "outline $number" is "$expected" "$told"
 done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n' >"$work/turned.obj"
 mesh_info "$work/turned.obj" 'triangles=2 vertices=4 convex=0 flat=0 concave=0 open=6 fault=9 watertight=no'
 # Its C is sound where it is compiled, and answers: half a unit above the L's long side.
 "$convert" --mesh --two-sided --name ground tests/data/hulls/l_bracket.obj >"$work/ground.c" 2>"$work/ground.said"
-check 'surface: what it says' '20 triangles, watertight; faults: none; points rounded by at most 0.00 LSB' "$(cat "$work/ground.said")"
+check 'surface: what it says' is '20 triangles, watertight; faults: none; points rounded by at most 0.00 LSB' "$(cat "$work/ground.said")"
 cat >>"$work/ground.c" <<END
 #include <stdio.h>
 int main(void) {
@@ -288,19 +275,19 @@ int main(void) {
 END
 ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude "$work/ground.c" "$build/host/libgjk.a" \
   "$build/hosted/port/hosted/gjk_hosted.o" -o "$work/ground"
-check 'surface: its C' 'fault 0, two-sided 1, gap 32768' "$("$work/ground")"
+check 'surface: its C' is 'fault 0, two-sided 1, gap 32768' "$("$work/ground")"
 found=$("$convert" --mesh "tests/data/hulls/det1_1.txt" 2>&1)
-check 'surface of points: status' 2 $?
-check 'surface of points' 'tests/data/hulls/det1_1.txt: no triangles' "$found"
+check 'surface of points: status' is 2 $?
+check 'surface of points' is 'tests/data/hulls/det1_1.txt: no triangles' "$found"
 printf 'v 0 0 0\nv 5000 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/long.obj"
 found=$("$convert" --mesh "$work/long.obj" 2>&1)
-check 'a long triangle: status' 2 $?
-check 'a long triangle' "$work/long.obj: a triangle is longer than 4095 units along an axis" "$found"
+check 'a long triangle: status' is 2 $?
+check 'a long triangle' is "$work/long.obj: a triangle is longer than 4095 units along an axis" "$found"
 
 broken() { # FILE MESSAGE
   found=$("$convert" --info "$work/$1" 2>&1)
-  check "$1: status" 2 $?
-  check "$1" "$work/$1$2" "$found"
+  check "$1: status" is 2 $?
+  check "$1" is "$work/$1$2" "$found"
 }
 printf 'v 0 0 0\nv 1 x 0\n' >"$work/word.obj"
 broken word.obj ":2: 'x' is not a number"
@@ -348,8 +335,8 @@ printf 'solid\nvertex 0 0 0\nendloop\n' >"$work/loop.stl"
 broken loop.stl ':3: a loop of other than 3 corners'
 head -c 100 "$work/bytes.stl" >"$work/cut.stl"
 found=$("$convert" --info "$work/cut.stl" 2>&1)
-check 'cut.stl: status' 2 $?
-check 'cut.stl' 1 "$(echo "$found" | grep -c 'neither STL as text')"
+check 'cut.stl: status' is 2 $?
+check 'cut.stl' is 1 "$(echo "$found" | grep -c 'neither STL as text')"
 axes='property float x\nproperty float y\nproperty float z\n'
 printf 'ply\nformat ascii 1.0\nelement vertex 2\n%bend_header\n1 2 3\n' "$axes" >"$work/cut.ply"
 broken cut.ply ':9: the file ends early'
@@ -362,7 +349,7 @@ printf '1 2 3\n4 5 6\n7 8 8\n3 0 1 1.5\n' >>"$work/part.ply"
 broken part.ply ':13: a face with a corner that is no vertex'
 head -c 130 "$work/little.ply" >"$work/header.ply"
 found=$("$convert" --info "$work/header.ply" 2>&1)
-check 'header.ply: status' 2 $?
+check 'header.ply: status' is 2 $?
 {
   ply_header binary_little_endian
   printf '%b' "$point0$point1$point2$point3"
@@ -371,34 +358,29 @@ check 'header.ply: status' 2 $?
 broken number.ply ':9: a face with a corner that is no vertex, in face 1'
 ply_header binary_little_endian >"$work/empty.ply"
 found=$("$convert" --info "$work/empty.ply" 2>&1)
-check 'empty.ply: status' 2 $?
+check 'empty.ply: status' is 2 $?
 printf '0 0 0\n536739842 0 0\n' >"$work/wide.txt"
 found=$("$convert" --info "$work/wide.txt" 2>&1)
-check 'wide.txt: status' 2 $?
-check 'wide.txt' "$work/wide.txt: the points are more than 8190 units apart along an axis" "$found"
+check 'wide.txt: status' is 2 $?
+check 'wide.txt' is "$work/wide.txt: the points are more than 8190 units apart along an axis" "$found"
 for axis in 1 2; do
   printf 'v 0 0 0\nv 8189 0 0\nv 0 %d 0\nv 0 0 8189\n' $((axis * 4000)) >"$work/shape.obj"
   for way in '' --case; do
     # shellcheck disable=SC2086 # a word or none
     found=$("$convert" $way "$work/shape.obj" 2>&1)
-    check "shape.obj $way: status" 2 $?
-    check "shape.obj $way" "gjk-convert: no shape: a vertex is more than 4095 units from the middle of its hull's box" "$found"
+    check "shape.obj $way: status" is 2 $?
+    check "shape.obj $way" is "gjk-convert: no shape: a vertex is more than 4095 units from the middle of its hull's box" "$found"
   done
 done
 for wrong in "$work/missing.obj" "$work" "$work/t.xyz"; do
   "$convert" --info "$wrong" >/dev/null 2>&1
-  check "$wrong: status" 2 $?
+  check "$wrong: status" is 2 $?
 done
 for options in '--what' '' "--mesh --case $work/t.obj" "--mesh --decompose $work/t.obj" "$work/t.obj $work/t.off" '--name'; do
   # shellcheck disable=SC2086 # words are wanted
   "$convert" $options >/dev/null 2>&1
-  check "options $options: status" 2 $?
+  check "options $options: status" is 2 $?
 done
-check 'help' 'usage: gjk-convert [OPTION]... FILE' "$("$convert" --help | head -1)"
+check 'help' is 'usage: gjk-convert [OPTION]... FILE' "$("$convert" --help | head -1)"
 
-if [ $skipped -gt 0 ]; then
-  echo "convert: $passed passed, $failed failed, $skipped skipped"
-else
-  echo "convert: $passed passed, $failed failed"
-fi
-[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+finish convert

@@ -34,10 +34,6 @@ static void add(gjk_vec3 *v, gjk_vec3 by) {
   v->z += by.z;
 }
 
-static bool build(const case_pair *pair, case_collider *a, case_collider *b) {
-  return case_collider_build(a, &pair->a, false) == GJK_OK && case_collider_build(b, &pair->b, false) == GJK_OK;
-}
-
 // Moves B until its gap is -3 to 3 LSB, as nearly as integer coordinates allow.
 static void bring_near(random_state *random, case_pair *pair, case_collider *a, case_collider *b) {
   accurate_result gap;
@@ -71,11 +67,11 @@ static bool make_pair(random_state *random, case_kind a_kind, case_kind b_kind, 
   random_shape(random, b_kind, other, &pair->b);
   if (place == STACKED) {
     stack(random, pair);
-    return build(pair, a, b);
+    return case_pair_build(pair, false, a, b);
   }
   pair->a.pose.position = random_vector(random, random_below(random, 2) == 0 ? 1e9 : 1e3);
   pair->b.pose.position = pair->a.pose.position;
-  if (!build(pair, a, b)) {
+  if (!case_pair_build(pair, false, a, b)) {
     return false;
   }
   // The way from a hull's own origin to its centre.
@@ -85,13 +81,13 @@ static bool make_pair(random_state *random, case_kind a_kind, case_kind b_kind, 
   const double share = place == APART ? 1 + random_unit(random) : place == NEAR ? 1.1 : 0.5 * random_unit(random);
   add(&pair->b.pose.position, to_a);
   add(&pair->b.pose.position, random_vector(random, share * radii + (place == OVERLAPPING ? 0 : 8)));
-  if (!build(pair, a, b)) {
+  if (!case_pair_build(pair, false, a, b)) {
     return false;
   }
   if (place == NEAR) {
     bring_near(random, pair, a, b);
   }
-  return build(pair, a, b);
+  return case_pair_build(pair, false, a, b);
 }
 
 // The distance of a point from a shape: in closed form from a curved shape, by the accurate oracle from a polytope.
@@ -228,7 +224,7 @@ static void test_points_about(case_kind kind, case_pair *pair, case_collider *a,
     pair->b.pose.position = random_vector(&random, 0.7 * reach * random_unit(&random) + 1);
     gjk_distance_result found;
     accurate_result solved;
-    bool fine = build(pair, a, b) && gjk_distance(&a->collider, &b->collider, NULL, &found) == GJK_OK;
+    bool fine = case_pair_build(pair, false, a, b) && gjk_distance(&a->collider, &b->collider, NULL, &found) == GJK_OK;
     CHECK(fine);
     accurate_distance(pair, a, b, &solved);
     long double truth = accurate_point_distance(&pair->a, pair->b.pose.position);
@@ -261,7 +257,7 @@ static void test_spheres(case_pair *pair, case_collider *a, case_collider *b) {
     const double radii = (double)pair->a.size.x + pair->a.convex_radius + pair->b.convex_radius;
     const gjk_vec3 p = pair->b.pose.position = random_vector(&random, radii * (0.9 + 0.2 * random_unit(&random)) + 3);
     gjk_distance_result found;
-    bool fine = build(pair, a, b) && gjk_distance(&a->collider, &b->collider, NULL, &found) == GJK_OK;
+    bool fine = case_pair_build(pair, false, a, b) && gjk_distance(&a->collider, &b->collider, NULL, &found) == GJK_OK;
     CHECK(fine);
     const long double gap = sqrtl((long double)p.x * p.x + (long double)p.y * p.y + (long double)p.z * p.z) - radii;
     fine = fine && fabsl(found.distance - (gap > 0 ? gap : 0)) <= TOLERANCE &&

@@ -19,28 +19,20 @@ static void show_if(bool failed, const case_pair *pair) {
   }
 }
 
-static bool build(subject *s) {
-  return case_collider_build(&s->a, &s->pair.a, false) == GJK_OK &&
-         case_collider_build(&s->b, &s->pair.b, false) == GJK_OK;
-}
-
 static bool intersects(const subject *s) {
-  gjk_decision d;
-  memset(&d, 0, sizeof d);
+  gjk_decision d = {0};
   CHECK(gjk_intersect(&s->a.collider, &s->b.collider, NULL, &d) == GJK_OK);
   return d.yes;
 }
 
 static bool is_within(const subject *s, gjk_q16 distance) {
-  gjk_decision d;
-  memset(&d, 0, sizeof d);
+  gjk_decision d = {0};
   CHECK(gjk_within(&s->a.collider, &s->b.collider, distance, NULL, &d) == GJK_OK);
   return d.yes;
 }
 
 static gjk_distance_result distance_of(const subject *s) {
-  gjk_distance_result r;
-  memset(&r, 0, sizeof r);
+  gjk_distance_result r = {0};
   CHECK(gjk_distance(&s->a.collider, &s->b.collider, NULL, &r) == GJK_OK);
   return r;
 }
@@ -66,7 +58,7 @@ static bool level_is_right(subject *s, const generate_height *height) {
       is_within(s, below) == (height->side <= 0) && !is_within(s, below - 1) && distance_of(s).distance == below;
   s->pair.a.convex_radius = below / 3;
   s->pair.b.convex_radius = below - below / 3;
-  CHECK(build(s));
+  CHECK(case_pair_build(&s->pair, false, &s->a, &s->b));
   return right && intersects(s) == (height->side <= 0) && distance_of(s).intersecting == (height->side <= 0);
 }
 
@@ -81,7 +73,7 @@ static void check_smallest(random_state *random, subject *s, generate_contact co
   generate_height height;
   generate_smallest(random, contact, level, thick, &s->pair, &height);
   snprintf(s->pair.id, sizeof s->pair.id, "smallest-%d-%lu", (int)contact, t->pairs);
-  bool right = build(s);
+  bool right = case_pair_build(&s->pair, false, &s->a, &s->b);
   if (right) {
     right = level == 0 ? contact_is_right(s, &height, thick) : level_is_right(s, &height);
   }
@@ -127,8 +119,7 @@ static void set_hull(case_shape *shape, const gjk_vec3 *vertices, size_t count) 
 }
 
 static gjk_vec3 lattice_point(unsigned number) {
-  const gjk_vec3 v = {(gjk_q16)(number & 3) - 1, (gjk_q16)(number >> 2 & 3) - 1, (gjk_q16)(number >> 4 & 3) - 1};
-  return v;
+  return (gjk_vec3){(gjk_q16)(number & 3) - 1, (gjk_q16)(number >> 2 & 3) - 1, (gjk_q16)(number >> 4 & 3) - 1};
 }
 
 // Every segment between points of a 4 x 4 x 4 lattice, also degenerate ones, against small shapes in its middle.
@@ -155,7 +146,7 @@ static void test_lattice(subject *s) {
         const gjk_vec3 ends[2] = {lattice_point(i), lattice_point(j)};
         set_hull(&s->pair.b, ends, 2);
         snprintf(s->pair.id, sizeof s->pair.id, "lattice-%lu-%u-%u", (unsigned long)k, i, j);
-        const bool right = build(s) && equals_brute(s, &together);
+        const bool right = case_pair_build(&s->pair, false, &s->a, &s->b) && equals_brute(s, &together);
         CHECK_MSG(right, "%s", s->pair.id);
         show_if(!right, &s->pair);
         pairs++;
@@ -174,8 +165,6 @@ int main(void) {
   test_smallest(&random, &s, GENERATE_FACE_FACE, 60);
   test_smallest(&random, &s, GENERATE_EDGE_EDGE, 58);
   test_lattice(&s);
-  case_pair_free(&s.pair);
-  case_collider_free(&s.a);
-  case_collider_free(&s.b);
+  case_pair_release(&s.pair, &s.a, &s.b);
   return check_done("decisions");
 }

@@ -147,8 +147,7 @@ static void test_order(uint64_t seed) {
 
 // A second copy of a mesh, moved.
 static mesh doubled(const mesh *m, int32_t x, int32_t y, int32_t z) {
-  mesh both;
-  memset(&both, 0, sizeof both);
+  mesh both = {0};
   both.points = 2 * m->points;
   both.triangles = 2 * m->triangles;
   both.point = solid_allocate(both.points, sizeof both.point[0]);

@@ -2,7 +2,6 @@
 // counts, and exact ones where no rounding bends the faces.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "random.h"
@@ -170,12 +169,11 @@ static void rotation_random(random_state *random, double rows[3][3]) {
 // The prism between z = 0 and 'high', turned and rounded to LSB. Its faces of many corners are cut as those of a file are.
 static solid prism(const outline *o, int32_t high, double rows[3][3]) {
   const unsigned n = o->corners;
-  mesh m;
+  mesh m = {0};
   mesh_file file = {"prism", NULL, 0, 1, 0, "", NULL};
   char problem[200] = "";
   int64_t face[2][CORNERS];
   solid s;
-  memset(&m, 0, sizeof m);
   for (unsigned i = 0; i < 2 * n; i++) {
     const double x[3] = {(double)o->at[i % n][0], (double)o->at[i % n][1], i < n ? 0 : high};
     double turned[3];

@@ -2,24 +2,14 @@
 # gjk-convert --decompose: samples with known answers, options, what it writes, what it says about files that bound no solid.
 # usage: test_decompose_tool.sh BUILD
 set -u
+. tests/build/count.sh
 build=$1
 convert=$build/gjk-convert
 work=$build/decompose
 meshes=tests/data/meshes
-passed=0
-failed=0
 rm -rf "$work"
 mkdir -p "$work"
 awk -f $meshes/torus.awk >"$work/torus.obj"
-
-check() { # NAME EXPECTED FOUND
-  if [ "$2" = "$3" ]; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf '%s: expected\n%s\nfound\n%s\n' "$1" "$2" "$3"
-  fi
-}
 
 info() {
   "$convert" --decompose --info "$@" 2>&1
@@ -27,9 +17,9 @@ info() {
 
 # Exact ones, in units and in millimetres.
 for scale in --units --millimetres; do
-  check "l_bracket $scale" 'parts=2 excess=0 enclosed=yes' "$(info $scale tests/data/hulls/l_bracket.obj)"
-  check "u_channel $scale" 'parts=3 excess=0 enclosed=yes' "$(info $scale tests/data/hulls/u_channel.obj)"
-  check "bracket $scale" 'parts=9 excess=0 enclosed=yes' "$(info $scale $meshes/bracket.obj)"
+  check "l_bracket $scale" is 'parts=2 excess=0 enclosed=yes' "$(info $scale tests/data/hulls/l_bracket.obj)"
+  check "u_channel $scale" is 'parts=3 excess=0 enclosed=yes' "$(info $scale tests/data/hulls/u_channel.obj)"
+  check "bracket $scale" is 'parts=9 excess=0 enclosed=yes' "$(info $scale $meshes/bracket.obj)"
 done
 
 # The L as a modeller writes it: two faces of six corners that are not convex, from each corner on.
@@ -43,14 +33,14 @@ for first in 0 1 2 3 4 5; do
     print line
     for (i = 0; i < n; i++) print "f", 1 + i, 1 + (i + 1) % n, 1 + n + (i + 1) % n, 1 + n + i
   }' >"$work/six.obj"
-  check "six corners from $first" 'parts=2 excess=0 enclosed=yes' "$(info "$work/six.obj")"
+  check "six corners from $first" is 'parts=2 excess=0 enclosed=yes' "$(info "$work/six.obj")"
 done
 
 # Turned so that no coordinate is whole: as many parts, a few LSB.
 awk '/^v/ { x = $2 * .8 - $3 * .6; y = $2 * .6 + $3 * .8; printf "v %.6f %.6f %.6f\n", x, y * .28 - $4 * .96, y * .96 + $4 * .28 }
   /^f/' tests/data/hulls/u_channel.obj >"$work/turned.obj"
 for scale in --units --millimetres; do
-  check "turned $scale" 'parts=3 enclosed=yes few' "$(info $scale "$work/turned.obj" |
+  check "turned $scale" is 'parts=3 enclosed=yes few' "$(info $scale "$work/turned.obj" |
     awk '{ split($2, e, "="); print $1, $3, e[2] < 64 ? "few" : e[2] }')"
 done
 
@@ -60,7 +50,7 @@ limits() { # NAME PARTS EXCESS OPTIONS...
   parts=$2
   excess=$3
   shift 3
-  check "$name" 'enclosed=yes few near' "$(info --millimetres "$@" |
+  check "$name" is 'enclosed=yes few near' "$(info --millimetres "$@" |
     awk -v parts="$parts" -v excess="$excess" '{ split($1, p, "="); split($2, e, "=");
       print $3, p[2] <= parts ? "few" : p[2], e[2] <= excess ? "near" : e[2] }')"
 }
@@ -72,16 +62,16 @@ limits 'rock, 400 LSB' 9 400 --excess 400 $meshes/rock.obj
 # C that compiles, and cases that gjk-query answers: the first part overlaps itself and touches its neighbour.
 "$convert" --decompose $meshes/bracket.obj >"$work/bracket.c" 2>"$work/told"
 ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/bracket.c" -o "$work/bracket.o"
-check 'bracket.c compiles' 0 $?
-check 'its parts' 1 "$(grep -c 'const gjk_compound_part bracket\[9\]' "$work/bracket.c")"
-check 'what is told' 1 "$(grep -c '9 parts, enclosing it, proven' "$work/told")"
-check 'as cases' 'intersecting intersecting' \
+check 'bracket.c compiles' is 0 $?
+check 'its parts' is 1 "$(grep -c 'const gjk_compound_part bracket\[9\]' "$work/bracket.c")"
+check 'what is told' is 1 "$(grep -c '9 parts, enclosing it, proven' "$work/told")"
+check 'as cases' is 'intersecting intersecting' \
   "$("$convert" --decompose --case tests/data/hulls/l_bracket.obj 2>/dev/null | "$build/gjk-query" - |
     awk '{ printf "%s%s", (NR > 1 ? " " : ""), $2 }')"
 "$convert" --decompose --info --picture "$work/bracket.svg" $meshes/bracket.obj >/dev/null
-check 'a picture' '0 1' "$? $(grep -c '</svg>' "$work/bracket.svg")"
+check 'a picture' is '0 1' "$? $(grep -c '</svg>' "$work/bracket.svg")"
 "$convert" --decompose --info --picture "$work/none/bracket.svg" $meshes/bracket.obj >/dev/null 2>&1
-check 'a picture nowhere' 2 $?
+check 'a picture nowhere' is 2 $?
 
 # The C, run: points around the compound are as far from it as from the nearest part that the cases tell.
 cat >"$work/run.c" <<'END'
@@ -113,9 +103,9 @@ int main(void) {
 }
 END
 ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -I"$work" "$work/run.c" "$build/host/libgjk.a" -o "$work/run"
-check 'the program is built' 0 $?
+check 'the program is built' is 0 $?
 "$work/run" >"$work/run.txt"
-check 'it runs' 0 $?
+check 'it runs' is 0 $?
 "$convert" --decompose --case $meshes/bracket.obj 2>/dev/null | awk '
   /^case/ { part++; taken = 0 }
   /^B/ { taken = 1; sub(/^B/, "A") }
@@ -129,23 +119,23 @@ check 'it runs' 0 $?
   { split($3, d, "="); far = $2 == "separated" ? d[2] + 0 : 0 }
   !($1 in least) || far < least[$1] { least[$1] = far }
   END { for (n = 0; n < 64; n++) print n, least[n] }' >"$work/queried.txt"
-check 'distances from the compound' "$(cat "$work/queried.txt")" "$(cat "$work/run.txt")"
-check 'some are apart, some within' yes "$(awk '{ n[$2 > 0]++ } END { print (n[0] > 2 && n[1] > 30 ? "yes" : n[0]) }' "$work/run.txt")"
+check 'distances from the compound' is "$(cat "$work/queried.txt")" "$(cat "$work/run.txt")"
+check 'some are apart, some within' is yes "$(awk '{ n[$2 > 0]++ } END { print (n[0] > 2 && n[1] > 30 ? "yes" : n[0]) }' "$work/run.txt")"
 
 # The same with the triangles the other way round, and turned inside out.
 grep '^v' $meshes/bracket.obj >"$work/back.obj"
 grep '^f' $meshes/bracket.obj | sort -r >>"$work/back.obj"
-check 'another order' "$("$convert" --decompose --name b $meshes/bracket.obj 2>/dev/null | cksum)" \
+check 'another order' is "$("$convert" --decompose --name b $meshes/bracket.obj 2>/dev/null | cksum)" \
   "$("$convert" --decompose --name b "$work/back.obj" 2>/dev/null | cksum)"
 awk '/^f/ { print "f", $2, $4, $3; next } /^v/' $meshes/bracket.obj >"$work/inside.obj"
-check 'inside out' "$("$convert" --decompose --name b $meshes/bracket.obj 2>/dev/null | cksum)" \
+check 'inside out' is "$("$convert" --decompose --name b $meshes/bracket.obj 2>/dev/null | cksum)" \
   "$("$convert" --decompose --name b "$work/inside.obj" 2>/dev/null | cksum)"
 
 # No solids: a message, status 2.
 refused() { # FILE MESSAGE
   found=$(info "$work/$1")
-  check "$1: status" 2 $?
-  check "$1" "$work/$1$2" "$found"
+  check "$1: status" is 2 $?
+  check "$1" is "$work/$1$2" "$found"
 }
 sed '$d' tests/data/hulls/l_bracket.obj >"$work/open.obj"
 refused open.obj ': not watertight, so no solid: the edge from (0 0 1966080) to (0 3276800 0) LSB of face 19 has no opposite'
@@ -165,31 +155,31 @@ box() {
 # Shells that cross, lie in each other, or are there twice: their union. What is wound around twice counts once.
 box crossing.obj 0 4
 box crossing.obj 1 6
-check 'two boxes that cross' 'parts=2 excess=0 enclosed=yes' "$(info "$work/crossing.obj")"
+check 'two boxes that cross' is 'parts=2 excess=0 enclosed=yes' "$(info "$work/crossing.obj")"
 box within.obj 0 4
 box within.obj 1 3
-check 'a box in a box' 'parts=1 excess=0 enclosed=yes' "$(info "$work/within.obj")"
+check 'a box in a box' is 'parts=1 excess=0 enclosed=yes' "$(info "$work/within.obj")"
 box twice.obj 0 4
 box twice.obj 0 4
-check 'a box twice' 'parts=1 excess=0 enclosed=yes' "$(info "$work/twice.obj")"
+check 'a box twice' is 'parts=1 excess=0 enclosed=yes' "$(info "$work/twice.obj")"
 for copy in 1 2 3; do
   box hollow.obj 0 4
   box hollow.obj 1 3 -1
-  check "a hollow box $copy times" 'enclosed=yes excess=0 6 to 8 parts' "$(info "$work/hollow.obj" |
+  check "a hollow box $copy times" is 'enclosed=yes excess=0 6 to 8 parts' "$(info "$work/hollow.obj" |
     awk '{ split($1, p, "="); print $3, $2, (p[2] >= 6 && p[2] <= 8 ? "6 to 8 parts" : p[2]) }')"
 done
 # An excess that so few parts do not reach is told.
-check 'excess not reached' 'LSB instead of 5' "$(info --parts 1 --excess 5 tests/data/hulls/l_bracket.obj | sed -n 's/.*LSB instead/LSB instead/p')"
-check 'excess asked for and reached' '' "$(info --excess 5 "$work/within.obj" | grep instead)"
+check 'excess not reached' is 'LSB instead of 5' "$(info --parts 1 --excess 5 tests/data/hulls/l_bracket.obj | sed -n 's/.*LSB instead/LSB instead/p')"
+check 'excess asked for and reached' is '' "$(info --excess 5 "$work/within.obj" | grep instead)"
 box sheet.obj 0 4
 printf 'f 1 2 3\nf 1 3 2\n' >>"$work/sheet.obj"
-check 'a triangle and its back' 'parts=1 excess=0 enclosed=yes' "$(info "$work/sheet.obj")"
+check 'a triangle and its back' is 'parts=1 excess=0 enclosed=yes' "$(info "$work/sheet.obj")"
 box touching.obj 0 4
 printf 'v 2 2 4\nv 1 1 6\nv 3 1 6\nv 2 3 6\nf -4 -2 -3\nf -4 -1 -2\nf -4 -3 -1\nf -3 -2 -1\n' >>"$work/touching.obj"
-check 'a corner on a face' 'parts=2 excess=0 enclosed=yes' "$(info "$work/touching.obj")"
+check 'a corner on a face' is 'parts=2 excess=0 enclosed=yes' "$(info "$work/touching.obj")"
 box thin.obj 0 4
 printf 'v 2 0 0\nf 1 9 2\nf 9 1 2\nf 1 1 2\n' >>"$work/thin.obj"
-check 'triangles without area' 'parts=1 excess=0 enclosed=yes' "$(info "$work/thin.obj")"
+check 'triangles without area' is 'parts=1 excess=0 enclosed=yes' "$(info "$work/thin.obj")"
 # A tube along a figure of eight crosses itself in the middle.
 awk 'BEGIN {
   n = 10; m = 4; turn = 6.283185307179586
@@ -202,12 +192,12 @@ awk 'BEGIN {
     print "f", i * m + j + 1, k + j, k + l; print "f", i * m + j + 1, k + l, i * m + l + 1
   }
 }' >"$work/eight.obj"
-check 'a tube through itself' 'enclosed=yes' "$(info "$work/eight.obj" | cut -d ' ' -f 3)"
+check 'a tube through itself' is 'enclosed=yes' "$(info "$work/eight.obj" | cut -d ' ' -f 3)"
 
 # A shell that is inside out bounds a hole only where another one is around it.
 box hole.obj 0 4
 box hole.obj 1 3 -1
-check 'a hole' 'parts=6 excess=0 enclosed=yes' "$(info "$work/hole.obj")"
+check 'a hole' is 'parts=6 excess=0 enclosed=yes' "$(info "$work/hole.obj")"
 box apart.obj 0 4
 box apart.obj 3 6 -1
 refused apart.obj ': beside face 3 a shell is turned inwards, with no other one around it'
@@ -233,13 +223,12 @@ refused word.obj ":3: 'q' is not a number"
 for options in '--excess' '--excess -1' '--excess x' '--parts 0' '--parts 1.5' '--parts 1001' '--picture'; do
   # shellcheck disable=SC2086 # words are wanted
   "$convert" --decompose --info $options tests/data/hulls/l_bracket.obj >/dev/null 2>&1
-  check "options $options: status" 2 $?
+  check "options $options: status" is 2 $?
 done
 
 # The picture of three such solids.
 make -s demo-parts >"$work/demo.txt" 2>&1
-check 'make demo-parts: status' 0 $?
-check 'make demo-parts: the solids' 3 "$(grep -c ' parts, excess .* contacts$' "$work/demo.txt")"
+check 'make demo-parts: status' is 0 $?
+check 'make demo-parts: the solids' is 3 "$(grep -c ' parts, excess .* contacts$' "$work/demo.txt")"
 
-echo "decompose_tool: $passed passed, $failed failed"
-[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+finish decompose_tool

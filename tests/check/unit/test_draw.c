@@ -8,6 +8,8 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -105,24 +107,14 @@ static void clear(void) {
 }
 
 static gjk_vec3 at(gjk_q16 x, gjk_q16 y) {
-  gjk_vec3 v;
-  memset(&v, 0, sizeof v);
+  gjk_vec3 v = {0};
   v.x = x;
   v.y = y;
   return v;
 }
 
-static gjk_collider place(const gjk_shape *shape, const gjk_pose *pose) {
-  gjk_collider c;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, pose) == GJK_OK);
-  return c;
-}
-
 static gjk_collider place_at(const gjk_shape *shape, gjk_q16 x, gjk_q16 y) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  pose.position = at(x, y);
-  return place(shape, &pose);
+  return placed(shape, at(x, y));
 }
 
 static gjk_pose random_pose(random_state *random) {
@@ -141,7 +133,7 @@ static gjk_pose random_pose(random_state *random) {
 static gjk_q16 height_of(const gjk_vec3 *p, const gjk_collider *c) {
   gjk_pose pose = GJK_POSE_IDENTITY;
   pose.position = *p;
-  const gjk_collider point = place(&shapes[0], &pose);
+  const gjk_collider point = posed(&shapes[0], &pose);
   gjk_distance_result gap;
 #if SPACE
   static gjk_epa_cell cells[GJK_EPA_CURVED_CELLS];
@@ -170,7 +162,7 @@ static void check_outlines(void) {
     const unsigned kind = (unsigned)(n % SHAPES);
     const gjk_shape *shape = &shapes[kind];
     const gjk_pose pose = random_pose(&random);
-    const gjk_collider c = place(shape, &pose);
+    const gjk_collider c = posed(shape, &pose);
     clear();
     CHECK(gjk_draw_collider(&out, &c, GJK_DRAW_SENSOR) == GJK_OK);
     const bool round = edges[kind] == 0 || shape->convex_radius > 0;
@@ -230,8 +222,7 @@ static void check_ball(void) {
 
 // Boxes, flat ones too, and those at the ends of the world.
 static void check_boxes(void) {
-  gjk_aabb box;
-  memset(&box, 0, sizeof box);
+  gjk_aabb box = {0};
   clear();
   CHECK(gjk_draw_box(&out, &box, GJK_DRAW_BOX) == GJK_OK && drawn.lines == 0);
   box.upper.x = 5;
@@ -285,7 +276,7 @@ static void check_casts(void) {
   const gjk_collider wall = place_at(&shapes[3], 0, 0), ball = place_at(&shapes[6], -9 * ONE, 0);
   const gjk_vec3 from = at(-9 * ONE, 0), to = at(9 * ONE, 0), past = at(9 * ONE, 9 * ONE);
   gjk_cast_result result;
-  gjk_collider unposed;
+  gjk_collider unposed = {0};
   CHECK(gjk_cast_ray(&wall, &from, &to, &result) == GJK_OK && result.hit);
   clear();
   CHECK(gjk_draw_ray(&out, &from, &to, &result, ONE) == GJK_OK && drawn.lines == 2 && drawn.points == 1);
@@ -316,7 +307,6 @@ static void check_casts(void) {
       CHECK(drawn.from[ROUND + i].x - drawn.from[i].x == way && drawn.from[ROUND + i].y == drawn.from[i].y);
     }
   }
-  memset(&unposed, 0, sizeof unposed);
   clear();
   CHECK(gjk_draw_cast(&out, &unposed, &to, &result, ONE) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk_draw_cast(&out, NULL, &to, &result, ONE) == GJK_ERROR_NULL);

@@ -5,6 +5,7 @@
 #include "check.h"
 #include "gjk/draw.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 #include "scene/concave_world.h"
 
@@ -63,13 +64,12 @@ static void check_parts(random_state *random, const gjk_parts *parts, const gjk_
   const gjk_shape cube = GJK_BOX((near->upper.x - near->lower.x) / 2, (near->upper.y - near->lower.y) / 2,
                                  (near->upper.z - near->lower.z) / 2);
   gjk_pose middle = GJK_POSE_IDENTITY;
-  gjk_collider box = {0};
   uint32_t count = 0, fewer = 0, least = 0, most = 0;
   const gjk_draw out = to(&drawn);
   CHECK(gjk_draw_parts(&out, parts, near, UINT32_MAX, GJK_DRAW_SENSOR, &count) == GJK_OK);
   CHECK(count == 0 || drawn.role == GJK_DRAW_SENSOR);
   middle.position = (gjk_vec3){near->lower.x + cube.size.x, near->lower.y + cube.size.y, near->lower.z + cube.size.z};
-  CHECK(gjk_collider_init(&box, &cube, NULL, 0) == GJK_OK && gjk_collider_pose(&box, &middle) == GJK_OK);
+  const gjk_collider box = posed(&cube, &middle);
   for (uint32_t i = 0; i < gjk_parts_count(parts); i++) {
     gjk_parts_room room;
     gjk_collider c;

@@ -98,8 +98,7 @@ static void make_hull(hand_made *out, const int32_t (*vertices)[3], unsigned cou
   memset(&out->collider, 0, sizeof out->collider);
   out->shape = shape;
   for (unsigned i = 0; i < count; i++) {
-    const gjk_vec3 v = {vertices[i][0], vertices[i][1], vertices[i][2]};
-    out->vertices[i] = v;
+    out->vertices[i] = (gjk_vec3){vertices[i][0], vertices[i][1], vertices[i][2]};
   }
   out->collider.shape = &out->shape;
   out->collider.buffer = out->vertices;
@@ -125,10 +124,9 @@ static void test_face_by_hand(void) {
   static const int32_t point[1][3] = {{3, 3, 7}};
   char why[128];
   hand_made a, b;
-  gjk_distance_result r;
+  gjk_distance_result r = {0};
   make_hull(&a, triangle, 4, 0);
   make_hull(&b, point, 1, 0);
-  memset(&r, 0, sizeof r);
   r.distance = r.lower = r.upper = 7;
   r.point_a.x = r.point_a.y = r.point_b.x = r.point_b.y = 3;
   r.point_b.z = 7;
@@ -173,8 +171,7 @@ static void test_face_by_hand(void) {
 static bool decision_holds(const hand_made *a, const hand_made *b, gjk_q16 distance, bool yes,
                            const gjk_certificate *certificate) {
   char why[128];
-  gjk_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk_decision decision = {0};
   decision.yes = yes;
   decision.certificate = *certificate;
   return exact_check_decision(&a->collider, &b->collider, distance, &decision, why, sizeof why);

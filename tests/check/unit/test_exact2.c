@@ -2,8 +2,6 @@
 // are as far apart there, and prisms higher than deep overlap as much.
 #include "exact/exact2.h"
 
-#include <string.h>
-
 #include "case/case.h"
 #include "check.h"
 #include "generate/generate2.h"
@@ -58,9 +56,8 @@ static void lift(const exact2_point *point, unsigned n, gjk_q16 radius, gjk_q16 
   out->pose.position.x = (gjk_q16)origin.x;
   out->pose.position.y = (gjk_q16)origin.y;
   for (unsigned i = 0; i < n * layers; i++) {
-    const gjk_vec3 v = {(gjk_q16)(point[i % n].x - origin.x), (gjk_q16)(point[i % n].y - origin.y),
-                        i < n ? -height : height};
-    out->vertices[i] = v;
+    out->vertices[i] = (gjk_vec3){(gjk_q16)(point[i % n].x - origin.x), (gjk_q16)(point[i % n].y - origin.y),
+                                  i < n ? -height : height};
   }
 }
 
@@ -72,8 +69,7 @@ typedef struct lifted {
 static bool build(lifted *l, const exact2_shape *a, const exact2_shape *b, gjk_q16 height) {
   lift(a->point, a->count, (gjk_q16)a->radius, height, &l->pair.a);
   lift(b->point, b->count, (gjk_q16)b->radius, height, &l->pair.b);
-  return case_collider_build(&l->a, &l->pair.a, false) == GJK_OK &&
-         case_collider_build(&l->b, &l->pair.b, false) == GJK_OK;
+  return case_pair_build(&l->pair, false, &l->a, &l->b);
 }
 
 typedef struct counts {
@@ -187,9 +183,7 @@ static void random_pairs(uint64_t seed) {
     }
   }
   CHECK(all.apart > PAIRS && all.together > PAIRS && all.deep > PAIRS);
-  case_pair_free(&l.pair);
-  case_collider_free(&l.a);
-  case_collider_free(&l.b);
+  case_pair_release(&l.pair, &l.a, &l.b);
   case2_pair_free(&pair);
 }
 

@@ -17,15 +17,13 @@ static case_collider a, b;
 
 static exact_point way_of(const case_shape *shape) {
   const gjk_vec3 *p = &shape->pose.position, *q = &shape->end.position;
-  const exact_point way = {{(int64_t)q->x - p->x, (int64_t)q->y - p->y, (int64_t)q->z - p->z}};
-  return way;
+  return (exact_point){{(int64_t)q->x - p->x, (int64_t)q->y - p->y, (int64_t)q->z - p->z}};
 }
 
 static const exact_point nowhere = {{0, 0, 0}};
 
 static bool cast_of(const case_pair *pair, exact_cast_truth *out) {
-  if (case_collider_build(&a, &pair->a, false) != GJK_OK || case_collider_build(&b, &pair->b, false) != GJK_OK ||
-      !exact_difference_find(&a.collider, &b.collider, &difference)) {
+  if (!case_pair_build(pair, false, &a, &b) || !exact_difference_find(&a.collider, &b.collider, &difference)) {
     return false;
   }
   const exact_point by_a = way_of(&pair->a), by_b = way_of(&pair->b), way = exact_subtract(&by_b, &by_a);

@@ -5,11 +5,11 @@
 // The sum, in LSB, of which a gap of at least 2^29 allows 2. Each coordinate is within 1/2 of its mean error: sqrt(3) /
 // 2 together. The distance and that mean are rounded by up to 1/2 each. Together: 1.87.
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "generate/generate.h"
 #include "placed.h"
+#include "random_vec.h"
 #include "reference/reference.h"
 
 #define SEED 5
@@ -17,10 +17,7 @@
 
 // A vector with components below 2^(bits - 1) in size.
 static gjk_vec3 random_vector(random_state *random, int bits) {
-  const int32_t most = (int32_t)((INT64_C(1) << (bits - 1)) - 1);
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
+  return random_in_cube(random, (int32_t)((INT64_C(1) << (bits - 1)) - 1));
 }
 
 static gjk_vec3 diagonal_vector(random_state *random) {
@@ -29,9 +26,8 @@ static gjk_vec3 diagonal_vector(random_state *random) {
   const long double length = ldexpl(1 + random_range(random, 1, 1000) / 1e6L, 30) / sqrtl(x * x + y * y + z * z);
   const int32_t sign = random_below(random, 2) == 0 ? 1 : -1;
   const int32_t odd = random_below(random, 2) == 0;
-  const gjk_vec3 v = {sign * ((int32_t)(x * length) | odd), sign * ((int32_t)(y * length) | odd),
-                      sign * ((int32_t)(z * length) | odd)};
-  return v;
+  return (gjk_vec3){sign * ((int32_t)(x * length) | odd), sign * ((int32_t)(y * length) | odd),
+                    sign * ((int32_t)(z * length) | odd)};
 }
 
 static void test_balls(void) {
@@ -73,8 +69,8 @@ static void test_polytopes(void) {
     pair.b.pose.position = at2;
     gjk_distance_result r;
     reference_result reference;
-    if (case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK ||
-        gjk_distance(&a.collider, &b.collider, NULL, &r) != GJK_OK || r.distance < INT32_C(1) << 30 || r.saturated) {
+    if (!case_pair_build(&pair, false, &a, &b) || gjk_distance(&a.collider, &b.collider, NULL, &r) != GJK_OK ||
+        r.distance < INT32_C(1) << 30 || r.saturated) {
       continue;
     }
     reference_query_posed(&pair, &a, &b, &reference);
@@ -92,9 +88,7 @@ static void test_polytopes(void) {
   CHECK(far[1] > 0);
   CHECK(far[2] > 0);
   CHECK(far[3] > 0);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
 }
 
 int main(void) {

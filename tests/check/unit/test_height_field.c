@@ -84,9 +84,8 @@ static void make_ground(random_state *random, ground *g) {
       g->triangles[count++] = two[number % 2];
     }
   }
-  const gjk_parts of_field = GJK_PARTS_OF_HEIGHT_FIELD(&g->field), of_mesh = GJK_PARTS_OF_MESH(&g->mesh);
-  g->of_field = of_field;
-  g->of_mesh = of_mesh;
+  g->of_field = (gjk_parts)GJK_PARTS_OF_HEIGHT_FIELD(&g->field);
+  g->of_mesh = (gjk_parts)GJK_PARTS_OF_MESH(&g->mesh);
   g->of_field.pose.position = random_vector(random, random_below(random, 2) == 0 ? 0 : 1.0e9);
   if (random_below(random, 3) > 0) {
     g->of_field.pose.rotation = random_rotation(random);

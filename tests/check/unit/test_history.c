@@ -11,6 +11,7 @@
 #include "gjk/impact.h"
 #include "gjk/scene.h"
 #include "same.h"
+#include "scene_bodies.h"
 
 #define PAIRS check_trials(6000)
 #define MOVES check_trials(2000)
@@ -184,15 +185,11 @@ static void ask_moves(const gjk_collider *a, const gjk_collider *b, const journe
   out->impact = gjk_time_of_impact(a, &j->a, b, &j->b, &setup, &out->meeting);
 }
 
-static bool same_vectors(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
 static bool same_cast(gjk_status status, const gjk_cast_result *a, const gjk_cast_result *b) {
   return status != GJK_OK ||
          (a->hit == b->hit && a->iterations == b->iterations && a->certificate.proof == b->certificate.proof &&
-          (!a->hit || (a->inside == b->inside && a->fraction == b->fraction && same_vectors(&a->rest_a, &b->rest_a) &&
-                       same_vectors(&a->rest_b, &b->rest_b) && (a->inside || same_vectors(&a->point_a, &b->point_a)))));
+          (!a->hit || (a->inside == b->inside && a->fraction == b->fraction && same_vec3(&a->rest_a, &b->rest_a) &&
+                       same_vec3(&a->rest_b, &b->rest_b) && (a->inside || same_vec3(&a->point_a, &b->point_a)))));
 }
 
 static void expect_same_moves(unsigned pair, const char *what, const moves *a, const moves *b) {
@@ -201,7 +198,7 @@ static void expect_same_moves(unsigned pair, const char *what, const moves *a, c
   CHECK_MSG(same_cast(a->ray, &a->ray_hit, &b->ray_hit), "%s, pair %u", what, pair);
   const gjk_impact_result *p = &a->meeting, *q = &b->meeting;
   CHECK_MSG(p->hit == q->hit && p->overlap == q->overlap && p->lower == q->lower && p->upper == q->upper &&
-                p->iterations == q->iterations && same_vectors(&p->pose_b.position, &q->pose_b.position),
+                p->iterations == q->iterations && same_vec3(&p->pose_b.position, &q->pose_b.position),
             "%s, pair %u", what, pair);
 }
 
@@ -273,9 +270,7 @@ typedef struct story {
 
 static gjk_scene_bindings bindings_of(history *h) {
   static const gjk_workspace workspace = {cells, CELLS + 10};
-  const gjk_scene_bindings bindings = {
-      .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &h->manifold};
-  return bindings;
+  return (gjk_scene_bindings){.details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &h->manifold};
 }
 
 // Fills the room for reports with bytes that differ every time.
@@ -324,12 +319,6 @@ static bool carry(history *to, history *from, const story *s, bool seal) {
                                                             &bindings) == GJK_OK;
 }
 
-static uint64_t hash_of(const gjk_scene *scene) {
-  uint64_t hash = 0;
-  CHECK(gjk_scene_hash(scene, &hash) == GJK_OK);
-  return hash;
-}
-
 // Everything that was reported.
 static bool same_reports(const history *a, const history *b) {
   const gjk_manifold *m = a->report.manifold, *n = b->report.manifold;
@@ -375,7 +364,7 @@ static void check_scenes(void) {
     CHECK(carry(&h[COPIED], &h[WHOLE], &s, false));
     CHECK(carry(&h[OPENED], &h[SHORT], &s, true));
     for (int k = 1; k < HISTORIES; k++) {
-      CHECK_MSG(hash_of(&h[k].scene) == hash_of(&h[0].scene), "scene %u before, history %d", i, k);
+      CHECK_MSG(scene_hash(&h[k].scene) == scene_hash(&h[0].scene), "scene %u before, history %d", i, k);
     }
     for (int k = 0; k < HISTORIES; k++) {
       gjk_scene_stats stats = {0};
@@ -383,7 +372,7 @@ static void check_scenes(void) {
       CHECK(gjk_scene_get_stats(&h[k].scene, &stats) == GJK_OK);
       CHECK_MSG(same_reports(&h[k], &h[0]), "scene %u, history %d, detail %d, %u cells: %ld, not %ld", i, k, s.detail,
                 (unsigned)s.cells, (long)h[k].report.distance, (long)h[0].report.distance);
-      CHECK_MSG(hash_of(&h[k].scene) == hash_of(&h[0].scene), "scene %u, history %d, detail %d", i, k, s.detail);
+      CHECK_MSG(scene_hash(&h[k].scene) == scene_hash(&h[0].scene), "scene %u, history %d, detail %d", i, k, s.detail);
       unsettled += stats.unsettled;
       skipped += stats.motion + stats.direction;
     }
@@ -469,7 +458,7 @@ static void check_room(void) {
       CHECK_MSG(gjk_scene_update(&wide.scene, report, 20, &progress) == expected, "room %u, tick %d", i, tick);
       CHECK(gjk_scene_check(&wide.scene) == GJK_OK);
       CHECK(gjk_scene_check(&tight.scene) == GJK_OK);
-      CHECK_MSG(hash_of(&wide.scene) == hash_of(&tight.scene), "room %u, tick %d", i, tick);
+      CHECK_MSG(scene_hash(&wide.scene) == scene_hash(&tight.scene), "room %u, tick %d", i, tick);
       CHECK(gjk_scene_get_stats(&wide.scene, &stats) == GJK_OK);
       refused += !fits;
       narrow += fits && stats.pairs == pairs;
@@ -536,7 +525,7 @@ static void check_configuration(void) {
   CHECK(start(&few, &s, &s.way[0], 0));
   s.cells = 41;
   CHECK(start(&many, &s, &s.way[0], 0));
-  CHECK(hash_of(&few.scene) != hash_of(&many.scene));
+  CHECK(scene_hash(&few.scene) != scene_hash(&many.scene));
 }
 
 int main(void) {

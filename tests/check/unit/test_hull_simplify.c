@@ -121,8 +121,7 @@ static void test_room(uint64_t seed) {
         const int32_t half = at[axis] < 0 ? -at[axis] : at[axis];
         at[axis] = axis == k / 2 % 3 ? up * (half + half / 4 * 3 - 200000000) - far : at[axis] / 64 + far;
       }
-      const gjk_vec3 v = {at[0], at[1], at[2]};
-      p.point[i] = v;
+      p.point[i] = (gjk_vec3){at[0], at[1], at[2]};
     }
     check_trial(k, hull_points_print, &p);
     for (uint16_t most = 4; most < 8; most++) {

@@ -5,8 +5,8 @@
 
 #include "check.h"
 #include "gjk/gjk.h"
-#include "random.h"
-#include "same.h"
+#include "parts_answers.h"
+#include "random_vec.h"
 #include "src/shape/gjk_hull_table.h"
 #include "src/shape/gjk_shape_class.h"
 
@@ -26,33 +26,26 @@ typedef struct four {
   gjk_collider baked, lazy, baked_table, lazy_table;
 } four;
 
-static gjk_vec3 random_vector(random_state *random, int32_t size) {
-  const gjk_vec3 v = {random_range(random, -size, size), random_range(random, -size, size),
-                      random_range(random, -size, size)};
-  return v;
-}
-
 static gjk_vec3 on_sphere(random_state *random, double radius) {
   for (;;) {
-    const gjk_vec3 v = random_vector(random, INT32_C(1) << 20);
+    const gjk_vec3 v = random_in_cube(random, INT32_C(1) << 20);
     const double length = sqrt((double)v.x * v.x + (double)v.y * v.y + (double)v.z * v.z);
     if (length > 1000 && length <= 1 << 20) {
-      const gjk_vec3 at = {(int32_t)(v.x / length * radius), (int32_t)(v.y / length * radius),
-                           (int32_t)(v.z / length * radius)};
-      return at;
+      return (gjk_vec3){(int32_t)(v.x / length * radius), (int32_t)(v.y / length * radius),
+                        (int32_t)(v.z / length * radius)};
     }
   }
 }
 
 static gjk_vec3 random_vertex(random_state *random, family of, unsigned i, unsigned count) {
   const double turn = 6.283185307179586 * (double)(i / 2) / (double)((count + 1) / 2);
-  gjk_vec3 v = random_vector(random, 50000);
+  gjk_vec3 v = random_in_cube(random, 50000);
   switch (of) {
     case BALL: return on_sphere(random, 60000.0);
     case PLATE: v.z = 700; return v;
     case LINE: v.y = v.z = 2 * v.x; return v;
     case LATTICE:
-      v = random_vector(random, 3);
+      v = random_in_cube(random, 3);
       v.x *= 5000;
       v.y *= 5000;
       v.z *= 5000;
@@ -62,7 +55,7 @@ static gjk_vec3 random_vertex(random_state *random, family of, unsigned i, unsig
       v.y = (int32_t)(40000 * sin(turn));
       v.z = i % 2 == 0 ? -9000 : 9000;
       return v;
-    case TINY: return random_vector(random, 4);
+    case TINY: return random_in_cube(random, 4);
     case HUGE_BALL: return on_sphere(random, 4094.0 * 65536);
     case REPEATED: return i < 8 ? v : vertices[0][random_below(random, 8)];
     case POINT: v.x = v.y = v.z = -5; return v;
@@ -124,8 +117,8 @@ static gjk_vec3 random_direction(random_state *random, const gjk_collider *baked
     gjk_long3 n;
     gjk_search_direction rounded;
     switch (random_below(random, 4)) {
-      case 0: d = random_vector(random, 1); break;
-      case 1: d = random_vector(random, INT32_C(1) << random_below(random, 31)); break;
+      case 0: d = random_in_cube(random, 1); break;
+      case 1: d = random_in_cube(random, INT32_C(1) << random_below(random, 31)); break;
       case 2: d = on_sphere(random, 1073741823.0); break;
       default:
         for (int i = 0; i < 3; i++) {
@@ -170,8 +163,8 @@ static void check_support(const four *f, const gjk_vec3 *d) {
 
 // Both refine along the exact normal of three far points, which d rounds. Returns whether that moved the support.
 static bool check_refine(random_state *random, const four *f) {
-  const gjk_vec3 a = random_vector(random, INT32_C(1) << 29), b = random_vector(random, INT32_C(1) << 29),
-                 c = random_vector(random, INT32_C(1) << 29);
+  const gjk_vec3 a = random_in_cube(random, INT32_C(1) << 29), b = random_in_cube(random, INT32_C(1) << 29),
+                 c = random_in_cube(random, INT32_C(1) << 29);
   const gjk_collider *const colliders[4] = {&f->baked, &f->lazy, &f->baked_table, &f->lazy_table};
   gjk_long3 n;
   gjk_search_direction rounded;
@@ -196,14 +189,6 @@ static bool check_refine(random_state *random, const four *f) {
     CHECK(same_support(&found[i], &found[0]));
   }
   return moved[0];
-}
-
-static bool same_distance(const gjk_distance_result *a, const gjk_distance_result *b) {
-  return a->intersecting == b->intersecting && a->distance == b->distance && a->iterations == b->iterations &&
-         a->certificate.proof == b->certificate.proof && a->certificate.count == b->certificate.count &&
-         memcmp(a->certificate.a, b->certificate.a, a->certificate.count * sizeof a->certificate.a[0]) == 0 &&
-         memcmp(a->certificate.b, b->certificate.b, a->certificate.count * sizeof a->certificate.b[0]) == 0 &&
-         (a->intersecting || (same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b)));
 }
 
 static void check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *expected) {
@@ -247,9 +232,7 @@ static void check_answers(random_state *random) {
       continue;
     }
     uint8_t level = (uint8_t)random_below(random, size > 64 ? 4 : 5);
-    four a, b;
-    memset(&a, 0, sizeof a);
-    memset(&b, 0, sizeof b);
+    four a = {0}, b = {0};
     make_hull(random, of, size, level, 0);
     make_hull(random, (family)random_below(random, TINY), 64, 1, 1);
     CHECK(gjk_hull_table_check(vertices[0], (uint16_t)size, &tables[0]) == GJK_OK);
@@ -287,9 +270,9 @@ static void check_answers(random_state *random) {
 static void check_cells(random_state *random) {
   for (unsigned i = 0; i < check_trials(200000); i++) {
     const unsigned level = random_below(random, GJK_TABLE_LEVEL_MAX + 1);
-    gjk_vec3 d = random_vector(random, INT32_C(1) << random_below(random, 31));
+    gjk_vec3 d = random_in_cube(random, INT32_C(1) << random_below(random, 31));
     if (random_below(random, 4) == 0) {
-      d = random_vector(random, 1 << level);  // corners of cells
+      d = random_in_cube(random, 1 << level);  // corners of cells
     }
     if ((d.x | d.y | d.z) == 0) {
       continue;
@@ -317,9 +300,8 @@ static void check_cells(random_state *random) {
 }
 
 static gjk_status init_with(const gjk_hull_table *table) {
-  gjk_collider c;
+  gjk_collider c = {0};
   gjk_shape shape = tabled[0];
-  memset(&c, 0, sizeof c);
   shape.user = table;
   return gjk_collider_init(&c, &shape, NULL, 0);
 }

@@ -33,13 +33,11 @@ static void show(const void *subject) {
 }
 
 static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 v = {a.x + b.x, a.y + b.y, a.z + b.z};
-  return v;
+  return (gjk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 static gjk_vec3 difference(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 v = {a.x - b.x, a.y - b.y, a.z - b.z};
-  return v;
+  return (gjk_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 // Turns not at all, to another rotation, or by a spin of up to three turns; some by hundreds.
@@ -67,8 +65,7 @@ static bool make(random_state *random, trial *t) {
   const gjk_vec3 none = {0, 0, 0};
   random_shape(random, (case_kind)random_below(random, CASE_ELLIPSOID + 1), reach, &t->pair.a);
   random_shape(random, (case_kind)random_below(random, CASE_ELLIPSOID + 1), reach, &t->pair.b);
-  if (case_collider_build(&colliders.a, &t->pair.a, true) != GJK_OK ||
-      case_collider_build(&colliders.b, &t->pair.b, true) != GJK_OK) {
+  if (!case_pair_build(&t->pair, true, &colliders.a, &colliders.b)) {
     return false;
   }
   const double radii = (double)a->radius + b->radius;
@@ -87,8 +84,7 @@ static bool make(random_state *random, trial *t) {
   t->setup.margin = random_below(random, 3) == 0 ? (gjk_q16)random_below(random, 1000) : 0;
   t->setup.tolerance = (gjk_q16)(16 + (reach_of(a) + reach_of(b)) / (1 << 23));
   t->setup.iterations = 0;
-  return case_collider_build(&colliders.baked_a, &t->pair.a, false) == GJK_OK &&
-         case_collider_build(&colliders.baked_b, &t->pair.b, false) == GJK_OK;
+  return case_pair_build(&t->pair, false, &colliders.baked_a, &colliders.baked_b);
 }
 
 static gjk_distance_result gap_at(trial *t, gjk_collider *a, gjk_collider *b, gjk_q30 fraction) {
@@ -200,8 +196,6 @@ int main(void) {
          misses, overlaps, limits, (double)iterations / (double)made);
   CHECK(pairs < 500 || (made > pairs * 9 / 10 && hits > made / 4 && misses > made / 5 && overlaps > made / 50));
   CHECK(limits * 200 <= made);
-  case_pair_free(&t.pair);
-  case_collider_free(&colliders.baked_a);
-  case_collider_free(&colliders.baked_b);
+  case_pair_release(&t.pair, &colliders.baked_a, &colliders.baked_b);
   return check_done("impact");
 }

@@ -7,6 +7,7 @@
 #include "gjk/distance.h"
 #include "gjk/impact.h"
 #include "gjk/pose.h"
+#include "placed.h"
 
 #define TOLERANCE GJK_IMPACT_TOLERANCE_MIN
 #define UNIT 65536.0
@@ -15,8 +16,7 @@
 static const gjk_motion rest = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
 
 static gjk_vec3 vec(double x, double y, double z) {
-  const gjk_vec3 v = {(gjk_q16)lround(x * UNIT), (gjk_q16)lround(y * UNIT), (gjk_q16)lround(z * UNIT)};
-  return v;
+  return (gjk_vec3){(gjk_q16)lround(x * UNIT), (gjk_q16)lround(y * UNIT), (gjk_q16)lround(z * UNIT)};
 }
 
 static gjk_motion standing(double x, double y, double z) {
@@ -27,11 +27,8 @@ static gjk_motion standing(double x, double y, double z) {
 
 static gjk_impact_result impact(const gjk_shape *a, const gjk_motion *ma, const gjk_shape *b, const gjk_motion *mb,
                                 gjk_q16 margin) {
-  gjk_collider ca, cb;
-  gjk_impact_result r;
-  memset(&ca, 0, sizeof ca);
-  memset(&cb, 0, sizeof cb);
-  memset(&r, 0, sizeof r);
+  gjk_collider ca = {0}, cb = {0};
+  gjk_impact_result r = {0};
   const gjk_impact_setup setup = {margin, TOLERANCE, 0};
   CHECK(gjk_collider_init(&ca, a, NULL, 0) == GJK_OK && gjk_collider_init(&cb, b, NULL, 0) == GJK_OK);
   CHECK(gjk_time_of_impact(&ca, ma, &cb, mb, &setup, &r) == GJK_OK);
@@ -170,11 +167,7 @@ static void check_cast(void) {
     ma.to.position = vec(0.5, 1, 0);
     mb.to.position = vec(4, 0.2, -0.1);
     const gjk_impact_result r = impact(&a, &ma, &b, &mb, 0);
-    gjk_collider ca, cb;
-    memset(&ca, 0, sizeof ca);
-    memset(&cb, 0, sizeof cb);
-    CHECK(gjk_collider_init(&ca, &a, NULL, 0) == GJK_OK && gjk_collider_pose(&ca, &ma.from) == GJK_OK);
-    CHECK(gjk_collider_init(&cb, &b, NULL, 0) == GJK_OK && gjk_collider_pose(&cb, &mb.from) == GJK_OK);
+    const gjk_collider ca = posed(&a, &ma.from), cb = posed(&b, &mb.from);
     const gjk_cast_path path = {&ma.to.position, &mb.to.position, 0};
     gjk_cast_result cast;
     CHECK(gjk_cast(&ca, &cb, &path, &cast) == GJK_OK);
@@ -209,10 +202,8 @@ static void check_far_arms(void) {
                   west = GJK_HULL(left, 1), east = GJK_HULL(right, 1);
   gjk_motion turning = rest, beside = standing(17000, 10, 0), from = standing(-10000, 0, 0), to = standing(10000, 0, 0);
   const gjk_impact_setup setup = {0, GJK_Q16(0.125), 0};
-  gjk_collider a, b;
+  gjk_collider a = {0}, b = {0};
   gjk_impact_result r;
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
   turning.spin.z = GJK_Q16(0.001);
   CHECK(gjk_collider_init(&a, &edge, NULL, 0) == GJK_OK && gjk_collider_init(&b, &box, NULL, 0) == GJK_OK);
   CHECK(gjk_time_of_impact(&a, &turning, &b, &beside, &setup, &r) == GJK_OK);
@@ -244,10 +235,7 @@ static void check_statuses(void) {
   const gjk_shape box = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
   static const gjk_vec3 far_away[4] = {{INT32_MAX, 0, 0}, {INT32_MAX, 9, 0}, {INT32_MAX, 0, 9}, {INT32_MAX - 9, 0, 0}};
   const gjk_shape hull = GJK_HULL(far_away, 4);
-  gjk_collider a, b, h;
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
-  memset(&h, 0, sizeof h);
+  gjk_collider a = {0}, b = {0}, h = {0};
   gjk_motion m = standing(5, 0, 0), bad = m;
   gjk_impact_setup setup = {0, TOLERANCE, 0};
   gjk_impact_result r, before;

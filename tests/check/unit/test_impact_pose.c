@@ -7,6 +7,7 @@
 #include "check.h"
 #include "gjk/impact.h"
 #include "reference/random_shape.h"
+#include "reference/real_quat.h"
 
 #define SEED 90210
 #define MOTIONS 20000
@@ -15,40 +16,24 @@
 // What a rotation may be off by, radians. A long double of 53 bits counts many turns less exactly than the library.
 #define ANGLE_ERROR (1.0L / (1 << 26))
 
-typedef struct quaternion {
-  long double x, y, z, w;
-} quaternion;
-
-static quaternion unit_of(const gjk_quat *q) {
-  const long double x = q->x, y = q->y, z = q->z, w = q->w, size = sqrtl(x * x + y * y + z * z + w * w);
-  const quaternion unit = {x / size, y / size, z / size, w / size};
-  return unit;
-}
-
-static quaternion product(quaternion a, quaternion b) {
-  const quaternion q = {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-                        a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-  return q;
-}
-
 // The angle between two rotations.
-static long double angle_between(quaternion a, quaternion b) {
-  const quaternion back = {-b.x, -b.y, -b.z, b.w}, rest = product(a, back);
+static long double angle_between(real_quat a, real_quat b) {
+  const real_quat back = {-b.x, -b.y, -b.z, b.w}, rest = real_quat_product(a, back);
   const long double sine = sqrtl(rest.x * rest.x + rest.y * rest.y + rest.z * rest.z);
   return 2 * atan2l(sine, fabsl(rest.w));
 }
 
 // Half of the angle over the whole way, and its axis; w: the cosine of half an arc.
-static quaternion whole_way(const gjk_motion *m, long double *half) {
-  quaternion axis = {m->spin.x, m->spin.y, m->spin.z, 0};
+static real_quat whole_way(const gjk_motion *m, long double *half) {
+  real_quat axis = {m->spin.x, m->spin.y, m->spin.z, 0};
   long double size = sqrtl(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
   *half = size / 131072;
   if (size == 0) {
-    quaternion back = unit_of(&m->from.rotation);
+    real_quat back = real_quat_of(&m->from.rotation);
     back.x = -back.x;
     back.y = -back.y;
     back.z = -back.z;
-    axis = product(unit_of(&m->to.rotation), back);
+    axis = real_quat_product(real_quat_of(&m->to.rotation), back);
     if (axis.w < 0) {
       axis.x = -axis.x;
       axis.y = -axis.y;
@@ -66,12 +51,12 @@ static quaternion whole_way(const gjk_motion *m, long double *half) {
   return axis;
 }
 
-static quaternion rotation_at(const gjk_motion *m, gjk_q30 fraction) {
+static real_quat rotation_at(const gjk_motion *m, gjk_q30 fraction) {
   long double half;
-  const quaternion axis = whole_way(m, &half);
+  const real_quat axis = whole_way(m, &half);
   const long double angle = fmodl(half * fraction / GJK_Q30_ONE, 2 * PI_LONG), sine = sinl(angle);
-  const quaternion turned = {axis.x * sine, axis.y * sine, axis.z * sine, cosl(angle)};
-  return product(turned, unit_of(&m->from.rotation));
+  const real_quat turned = {axis.x * sine, axis.y * sine, axis.z * sine, cosl(angle)};
+  return real_quat_product(turned, real_quat_of(&m->from.rotation));
 }
 
 static bool near_coordinate(gjk_q16 from, gjk_q16 to, gjk_q30 fraction, gjk_q16 at) {
@@ -88,10 +73,9 @@ static void show(const void *subject) {
 
 static gjk_vec3 any_position(random_state *random) {
   const unsigned down = random_below(random, 32);
-  const gjk_vec3 v = {(gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
-                      (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
-                      (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down)};
-  return v;
+  return (gjk_vec3){(gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
+                    (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down),
+                    (gjk_q16)(random_range(random, INT32_MIN, INT32_MAX) >> down)};
 }
 
 // A rotation that differs from q by a few LSB, by any part of a turn, or by nearly half a turn.
@@ -131,13 +115,13 @@ static void check_motion(random_state *random, const gjk_motion *m) {
     CHECK(near_coordinate(m->from.position.x, m->to.position.x, fraction, pose.position.x) &&
           near_coordinate(m->from.position.y, m->to.position.y, fraction, pose.position.y) &&
           near_coordinate(m->from.position.z, m->to.position.z, fraction, pose.position.z));
-    const long double off = angle_between(unit_of(&pose.rotation), rotation_at(m, fraction));
+    const long double off = angle_between(real_quat_of(&pose.rotation), rotation_at(m, fraction));
     worst = off > worst ? off : worst;
     CHECK_MSG(off < ANGLE_ERROR, "off by %.2Lf 2^-30 at %d", off * GJK_Q30_ONE, (int)fraction);
   }
 }
 
-// Arcs of a few LSB: half way round, a quaternion is half of what it becomes, to within its error.
+// Arcs of a few LSB: half way round, a real_quat is half of what it becomes, to within its error.
 static void check_small_arcs(void) {
   for (int k = -64; k <= 64; k++) {
     gjk_motion m = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};

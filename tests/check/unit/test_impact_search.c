@@ -3,7 +3,6 @@
 //
 //   test_impact_search [SEED [TRIALS]]
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "exact/clearance.h"
@@ -68,13 +67,11 @@ static void set_clearance(const trial *t, clearance *c) {
 }
 
 static gjk_vec3 scaled(gjk_vec3 v, int32_t times) {
-  const gjk_vec3 w = {v.x * times, v.y * times, v.z * times};
-  return w;
+  return (gjk_vec3){v.x * times, v.y * times, v.z * times};
 }
 
 static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 v = {a.x + b.x, a.y + b.y, a.z + b.z};
-  return v;
+  return (gjk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 // A long thin body: a segment, a box or a hull, up to 100,000 times as long as thick, with its middle or an end at the
@@ -98,9 +95,8 @@ static void make_thin(random_state *random, gjk_q16 half, case_shape *out) {
       out->kind = CASE_HULL;
       case_shape_set_count(out, 6);
       for (int i = 0; i < 6; i++) {
-        const gjk_vec3 end = {i < 3 ? 0 : 2 * half, random_range(random, -thick, thick),
-                              random_range(random, -thick, thick)};
-        out->vertices[i] = end;
+        out->vertices[i] =
+            (gjk_vec3){i < 3 ? 0 : 2 * half, random_range(random, -thick, thick), random_range(random, -thick, thick)};
       }
   }
   out->pose.rotation = random_rotation(random);
@@ -142,8 +138,7 @@ static bool make(random_state *random, trial *t) {
   make_thin(random, half, &t->pair.a);
   make_thin(random, other, &t->pair.b);
   make_motions(random, t, half);
-  if (case_collider_build(&of_a, &t->pair.a, true) != GJK_OK ||
-      case_collider_build(&of_b, &t->pair.b, true) != GJK_OK) {
+  if (!case_pair_build(&t->pair, true, &of_a, &of_b)) {
     return false;
   }
   t->setup.iterations = 0;
@@ -165,8 +160,6 @@ static void check_cast(const trial *t, const gjk_impact_result *r, gjk_status st
 int main(int argc, char **argv) {
   static trial t;
   check_trials_of(&t, argc, argv, SEED);
-  case_pair_free(&t.pair);
-  case_collider_free(&of_a);
-  case_collider_free(&of_b);
+  case_pair_release(&t.pair, &of_a, &of_b);
   return check_done("impact_search");
 }

@@ -4,41 +4,24 @@
 #include "gjk/joint.h"
 
 #include "check.h"
-#include "random.h"
+#include "random_vec.h"
+#include "reference/real_quat.h"
 
 #define TRIALS 4000
 #define MOST 24
 #define ONE 1073741824.0L
 
-typedef struct real_quat {
-  long double x, y, z, w;
-} real_quat;
-
-static real_quat real_of(const gjk_quat *q) {
-  const long double n =
-      sqrtl((long double)q->x * q->x + (long double)q->y * q->y + (long double)q->z * q->z + (long double)q->w * q->w);
-  const real_quat r = {q->x / n, q->y / n, q->z / n, q->w / n};
-  return r;
-}
-
-static real_quat multiplied(real_quat a, real_quat b) {
-  const real_quat r = {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-                       a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-  return r;
-}
-
 static real_quat about(const gjk_vec3 *axis, gjk_angle angle) {
   const long double n =
       sqrtl((long double)axis->x * axis->x + (long double)axis->y * axis->y + (long double)axis->z * axis->z);
   const long double half = angle / 131072.0L, s = sinl(half) / n;
-  const real_quat r = {axis->x * s, axis->y * s, axis->z * s, cosl(half)};
-  return r;
+  return (real_quat){axis->x * s, axis->y * s, axis->z * s, cosl(half)};
 }
 
 // *origin += v turned by q.
 static void move(long double origin[3], real_quat q, const gjk_vec3 *v) {
   const real_quat point = {v->x, v->y, v->z, 0}, back = {-q.x, -q.y, -q.z, q.w};
-  const real_quat turned = multiplied(multiplied(q, point), back);
+  const real_quat turned = real_quat_product(real_quat_product(q, point), back);
   origin[0] += turned.x;
   origin[1] += turned.y;
   origin[2] += turned.z;
@@ -46,7 +29,7 @@ static void move(long double origin[3], real_quat q, const gjk_vec3 *v) {
 
 // The angle between a rotation and the real one, radians.
 static long double turn_between(const gjk_quat *q, real_quat r) {
-  const real_quat back = {-r.x, -r.y, -r.z, r.w}, rest = multiplied(real_of(q), back);
+  const real_quat back = {-r.x, -r.y, -r.z, r.w}, rest = real_quat_product(real_quat_of(q), back);
   return 2 * asinl(fminl(1, sqrtl(rest.x * rest.x + rest.y * rest.y + rest.z * rest.z)));
 }
 
@@ -59,10 +42,7 @@ static struct {
 } arm;
 
 static gjk_vec3 any_vector(random_state *random, unsigned bits) {
-  const int32_t most = (int32_t)((UINT32_C(1) << bits) - 1);
-  const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
-                      random_range(random, -most, most)};
-  return v;
+  return random_in_cube(random, (int32_t)((UINT32_C(1) << bits) - 1));
 }
 
 // A rotation within the tolerance, mostly not a unit.
@@ -71,8 +51,7 @@ static gjk_quat any_rotation(random_state *random) {
   const gjk_vec3 axis = any_vector(random, 30);
   (void)gjk_quat_from_axis_angle(&axis, (gjk_angle)random_u32(random), &q);
   const long double scale = 1 + random_range(random, -8000, 8000) / ONE;
-  const gjk_quat r = {(gjk_q30)(q.x * scale), (gjk_q30)(q.y * scale), (gjk_q30)(q.z * scale), (gjk_q30)(q.w * scale)};
-  return r;
+  return (gjk_quat){(gjk_q30)(q.x * scale), (gjk_q30)(q.y * scale), (gjk_q30)(q.z * scale), (gjk_q30)(q.w * scale)};
 }
 
 static void make_arm(random_state *random, unsigned count, unsigned bits) {
@@ -100,15 +79,15 @@ static long double worst_turn, worst_place;
 
 // Holds the poses of the chain to what gjk/joint.h states.
 static void check_arm(unsigned count, bool balls) {
-  real_quat q = real_of(&arm.base.rotation);
+  real_quat q = real_quat_of(&arm.base.rotation);
   const gjk_vec3 *p = &arm.base.position;
   long double origin[3] = {p->x, p->y, p->z}, lever = 0;
   for (unsigned i = 0; i < count; i++) {
     const gjk_vec3 *v = &arm.fixed[i].position;
     move(origin, q, v);
     lever += (i + 1) * sqrtl((long double)v->x * v->x + (long double)v->y * v->y + (long double)v->z * v->z);
-    q = multiplied(multiplied(q, real_of(&arm.fixed[i].rotation)),
-                   balls ? real_of(&arm.rotation[i]) : about(&arm.axis[i], arm.angle[i]));
+    q = real_quat_product(real_quat_product(q, real_quat_of(&arm.fixed[i].rotation)),
+                          balls ? real_quat_of(&arm.rotation[i]) : about(&arm.axis[i], arm.angle[i]));
     const long double turn = turn_between(&arm.out[i].rotation, q) * 67108864 / (i + 2);
     worst_turn = fmaxl(worst_turn, turn);
     CHECK(turn < 1);

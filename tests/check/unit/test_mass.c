@@ -14,15 +14,6 @@ typedef struct sums {
   int k;  // vertices of a simplex
 } sums;
 
-static exact_int product(int64_t a, int64_t b) {
-  const exact_int x = exact_from(a), y = exact_from(b);
-  return exact_mul(&x, &y);
-}
-
-static void add_to(exact_int *sum, exact_int x) {
-  *sum = exact_add(sum, &x);
-}
-
 static int64_t component(const gjk_vec3 *v, int i) {
   return i == 0 ? v->x : i == 1 ? v->y : v->z;
 }
@@ -39,32 +30,32 @@ static exact_int determinant(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec
   }
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    exact_int one = product(e[1][j], e[2][k]);
-    const exact_int two = product(e[1][k], e[2][j]), edge = exact_from(e[0][i]);
+    exact_int one = exact_product(e[1][j], e[2][k]);
+    const exact_int two = exact_product(e[1][k], e[2][j]), edge = exact_from(e[0][i]);
     one = exact_sub(&one, &two);
-    add_to(&sum, exact_mul(&edge, &one));
+    exact_add_to(&sum, exact_mul(&edge, &one));
   }
   return sum;
 }
 
 static void add_simplex(sums *s, exact_int weight, const gjk_vec3 *const *v) {
-  add_to(&s->weight, weight);
+  exact_add_to(&s->weight, weight);
   for (int i = 0; i < 3; i++) {
     int64_t of_i = 0;
     for (int n = 0; n < s->k; n++) {
       of_i += component(v[n], i);
     }
     const exact_int sum_i = exact_from(of_i);
-    add_to(&s->first[i], exact_mul(&weight, &sum_i));
+    exact_add_to(&s->first[i], exact_mul(&weight, &sum_i));
     for (int j = 0; j < 3; j++) {
       int64_t of_j = 0;
       exact_int second = exact_from(0);
       for (int n = 0; n < s->k; n++) {
         of_j += component(v[n], j);
-        add_to(&second, product(component(v[n], i), component(v[n], j)));
+        exact_add_to(&second, exact_product(component(v[n], i), component(v[n], j)));
       }
-      add_to(&second, product(of_i, of_j));
-      add_to(&s->second[i][j], exact_mul(&weight, &second));
+      exact_add_to(&second, exact_product(of_i, of_j));
+      exact_add_to(&s->second[i][j], exact_mul(&weight, &second));
     }
   }
 }
@@ -78,16 +69,6 @@ static void sums_start(sums *s, int k) {
       s->second[i][j] = exact_from(0);
     }
   }
-}
-
-// Is value = floor(2^bits x / y + half / 2), with y > 0? By value y <= 2^bits x + half y / 2 < (value + 1) y, doubled.
-static bool is_rounded(int64_t value, exact_int x, exact_int y, int64_t scale, int half) {
-  const exact_int twice_scale = exact_from(2 * scale), offset = exact_from(half), low = exact_from(2 * value),
-                  high = exact_from(2 * (value + 1));
-  exact_int middle = exact_mul(&x, &twice_scale);
-  const exact_int shift = exact_mul(&y, &offset), below = exact_mul(&y, &low), above = exact_mul(&y, &high);
-  middle = exact_add(&middle, &shift);
-  return exact_compare(&below, &middle) <= 0 && exact_compare(&middle, &above) < 0;
 }
 
 // C_ij k^3 (k + 1) S^2 for a mass of 1.
@@ -111,12 +92,12 @@ static void check_against(const sums *s, const gjk_mass *m, bool solid) {
   all = exact_mul(&all, &s->weight);
   CHECK(all.sign > 0);
   if (solid) {
-    const exact_int six = exact_from(6), two64 = product(INT64_C(1) << 32, INT64_C(1) << 32),
-                    low = product((int64_t)(m->volume.low >> 1), 2), bit = exact_from((int64_t)(m->volume.low & 1)),
-                    high = exact_from((int64_t)m->volume.high);
+    const exact_int six = exact_from(6), two64 = exact_product(INT64_C(1) << 32, INT64_C(1) << 32),
+                    low = exact_product((int64_t)(m->volume.low >> 1), 2),
+                    bit = exact_from((int64_t)(m->volume.low & 1)), high = exact_from((int64_t)m->volume.high);
     exact_int volume = exact_mul(&high, &two64);  // 6 volume - 3 <= weight < 6 volume + 3
-    add_to(&volume, low);
-    add_to(&volume, bit);
+    exact_add_to(&volume, low);
+    exact_add_to(&volume, bit);
     volume = exact_mul(&volume, &six);
     const exact_int rest = exact_sub(&s->weight, &volume), three = exact_from(3), minus = exact_from(-3);
     CHECK(exact_compare(&rest, &minus) >= 0 && exact_compare(&rest, &three) < 0);
@@ -125,18 +106,18 @@ static void check_against(const sums *s, const gjk_mass *m, bool solid) {
   }
   exact_int c[3][3];
   for (int i = 0; i < 3; i++) {
-    CHECK(is_rounded(centre_in_q16(m, i), s->first[i], all, 65536, 0));
-    CHECK(is_rounded(component(&m->centre, i), s->first[i], all, 1, 1));
+    CHECK(exact_is_rounded(centre_in_q16(m, i), s->first[i], all, 65536, 0));
+    CHECK(exact_is_rounded(component(&m->centre, i), s->first[i], all, 1, 1));
     for (int j = 0; j < 3; j++) {
       c[i][j] = second_about_centre(s, i, j);
     }
   }
-  CHECK(is_rounded(m->inertia.xx, exact_add(&c[1][1], &c[2][2]), whole, 1, 1));
-  CHECK(is_rounded(m->inertia.yy, exact_add(&c[2][2], &c[0][0]), whole, 1, 1));
-  CHECK(is_rounded(m->inertia.zz, exact_add(&c[0][0], &c[1][1]), whole, 1, 1));
-  CHECK(is_rounded(m->inertia.yz, exact_negate(c[1][2]), whole, 1, 1));
-  CHECK(is_rounded(m->inertia.zx, exact_negate(c[2][0]), whole, 1, 1));
-  CHECK(is_rounded(m->inertia.xy, exact_negate(c[0][1]), whole, 1, 1));
+  CHECK(exact_is_rounded(m->inertia.xx, exact_add(&c[1][1], &c[2][2]), whole, 1, 1));
+  CHECK(exact_is_rounded(m->inertia.yy, exact_add(&c[2][2], &c[0][0]), whole, 1, 1));
+  CHECK(exact_is_rounded(m->inertia.zz, exact_add(&c[0][0], &c[1][1]), whole, 1, 1));
+  CHECK(exact_is_rounded(m->inertia.yz, exact_negate(c[1][2]), whole, 1, 1));
+  CHECK(exact_is_rounded(m->inertia.zx, exact_negate(c[2][0]), whole, 1, 1));
+  CHECK(exact_is_rounded(m->inertia.xy, exact_negate(c[0][1]), whole, 1, 1));
   CHECK(m->mass == 0);
 }
 

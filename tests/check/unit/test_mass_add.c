@@ -135,10 +135,8 @@ static void test_random_bodies(uint64_t seed) {
   random_state random = random_seed(seed);
   for (unsigned long trial = 0; trial < 2000; trial++) {
     const int32_t size = INT32_C(2) << random_below(&random, 26), reach = INT32_C(1) << random_below(&random, 29);
-    gjk_mass body;
-    sum s;
-    memset(&body, 0, sizeof body);
-    memset(&s, 0, sizeof s);
+    gjk_mass body = {0};
+    sum s = {0};
     const int32_t offset = random_below(&random, 2) == 0 ? 0 : random_range(&random, -1000000000, 1000000000);
     check_trial(trial, NULL, NULL);
     const int parts = 1 + (int)random_below(&random, 6);
@@ -170,8 +168,7 @@ static void test_random_bodies(uint64_t seed) {
 // A box from eight of its octants, and a lone part at the identity: exact.
 static void test_octants(void) {
   const gjk_shape octant = GJK_BOX(1000, 700, 3000), box = GJK_BOX(2000, 1400, 6000), capsule = GJK_CAPSULE(77, 991);
-  gjk_mass part, whole, body, alone;
-  memset(&body, 0, sizeof body);
+  gjk_mass part, whole, body = {0}, alone;
   memset(&alone, 0, sizeof alone);
   CHECK(gjk_mass_of_shape(&octant, &part) == GJK_OK && gjk_mass_of_shape(&box, &whole) == GJK_OK);
   part.mass = 5;
@@ -195,9 +192,8 @@ static void test_octants(void) {
 
 static void test_refusals(void) {
   const gjk_shape cube = GJK_BOX(10, 10, 10);
-  gjk_mass body, part, kept;
+  gjk_mass body = {0}, part, kept;
   gjk_pose pose = GJK_POSE_IDENTITY;
-  memset(&body, 0, sizeof body);
   CHECK(gjk_mass_of_shape(&cube, &part) == GJK_OK);
   CHECK(gjk_mass_add(&body, &part, &pose) == GJK_ERROR_RANGE);  // no mass
   part.mass = UINT32_MAX;
@@ -242,9 +238,8 @@ static void test_refusals(void) {
 // The residual: products of inertia in the frame of the axes as they are rounded, and the moments. *turned: by the
 // quaternion's angle. Returns the larger residual in parts of what is allowed.
 static real check_axes(const gjk_inertia *t, gjk_principal *axes) {
-  gjk_mass m;
+  gjk_mass m = {0};
   real r[3][3], own[3][3], seen[3][3], back[3][3];
-  memset(&m, 0, sizeof m);
   m.inertia = *t;
   CHECK(gjk_mass_principal(&m, axes) == GJK_OK);
   matrix_of(&axes->rotation, r);

@@ -21,8 +21,7 @@ static int32_t any_number(random_state *random) {
 }
 
 static gjk_vec3 any_vector(random_state *random) {
-  const gjk_vec3 v = {any_number(random), any_number(random), any_number(random)};
-  return v;
+  return (gjk_vec3){any_number(random), any_number(random), any_number(random)};
 }
 
 static int64_t within(long double x, int64_t low, int64_t high) {
@@ -75,10 +74,9 @@ static gjk_vec3 other_direction(random_state *random, const gjk_vec3 *from) {
     return any_vector(random);
   }
   const int32_t sign = kind == 0 ? -1 : 1, noise = random_below(random, 2) == 0 ? 0 : 3;
-  const gjk_vec3 v = {sign * (from->x / 2) + random_range(random, -noise, noise),
-                      sign * (from->y / 2) + random_range(random, -noise, noise),
-                      sign * (from->z / 2) + random_range(random, -noise, noise)};
-  return v;
+  return (gjk_vec3){sign * (from->x / 2) + random_range(random, -noise, noise),
+                    sign * (from->y / 2) + random_range(random, -noise, noise),
+                    sign * (from->z / 2) + random_range(random, -noise, noise)};
 }
 
 static long double worst_angle;

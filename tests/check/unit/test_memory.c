@@ -6,8 +6,8 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "gjk/scene.h"
+#include "parts_answers.h"
 #include "random.h"
-#include "same.h"
 
 #define ONE GJK_Q16_ONE
 #define PLACES 12
@@ -91,31 +91,13 @@ static void ask(const gjk_shape *a, const gjk_pose *at_a, const gjk_shape *b, co
   out->status[9] = gjk_within_until(&out->a, &out->b, 9000, 2, NULL, &out->within);
 }
 
-static bool same_certificate(const gjk_certificate *c, const gjk_certificate *d) {
-  const bool directed = c->proof == GJK_PROOF_DIRECTION || c->proof == GJK_PROOF_PLANE;
-  return c->proof == d->proof && c->count == d->count && (!directed || same_vec3(&c->direction, &d->direction)) &&
-         memcmp(c->a, d->a, c->count * sizeof *c->a) == 0 && memcmp(c->b, d->b, c->count * sizeof *c->b) == 0;
-}
-
-static bool same_decision(const gjk_decision *a, const gjk_decision *b) {
-  return a->yes == b->yes && a->iterations == b->iterations && same_certificate(&a->certificate, &b->certificate);
-}
-
 // set: whether points and normal are set.
-static bool same_distance(const gjk_distance_result *a, const gjk_distance_result *b, bool set) {
+static bool same_bounds(const gjk_distance_result *a, const gjk_distance_result *b, bool set) {
   return a->distance == b->distance && a->lower == b->lower && a->upper == b->upper &&
          a->intersecting == b->intersecting && a->saturated == b->saturated && a->iterations == b->iterations &&
          same_certificate(&a->certificate, &b->certificate) &&
          (!set || (same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b) &&
                    same_unit3(&a->normal, &b->normal)));
-}
-
-static bool same_penetration(const gjk_penetration_result *a, const gjk_penetration_result *b) {
-  return a->intersecting == b->intersecting && a->iterations == b->iterations &&
-         same_certificate(&a->certificate, &b->certificate) &&
-         (!a->intersecting || (a->depth == b->depth && a->lower == b->lower && a->upper == b->upper &&
-                               same_vec3(&a->point_a, &b->point_a) && same_vec3(&a->point_b, &b->point_b) &&
-                               same_unit3(&a->normal, &b->normal)));
 }
 
 static bool same_answers(const answers *a, const answers *b) {
@@ -124,8 +106,8 @@ static bool same_answers(const answers *a, const answers *b) {
          (a->within.answer == GJK_ANSWER_OPEN ? a->within.decision.iterations == b->within.decision.iterations
                                               : same_decision(&a->within.decision, &b->within.decision)) &&
          same_decision(&a->touch, &b->touch) && same_decision(&a->near, &b->near) &&
-         same_distance(&a->distance, &b->distance, !a->distance.intersecting) &&
-         same_distance(&a->until, &b->until, !a->until.intersecting) && same_distance(&a->apart, &b->apart, true) &&
+         same_bounds(&a->distance, &b->distance, !a->distance.intersecting) &&
+         same_bounds(&a->until, &b->until, !a->until.intersecting) && same_bounds(&a->apart, &b->apart, true) &&
          same_penetration(&a->depth, &b->depth) && same_manifold(&a->contacts, &b->contacts) &&
          memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
 }
@@ -160,8 +142,7 @@ static void test_pairs(void) {
         pose.position.x = i == 0 ? 0 : random_range(&random, -reach, reach) * (i > 8 ? 2 : 1);
         pose.position.y = i == 0 ? 0 : random_range(&random, -reach, reach) * (i > 8 ? 2 : 1);
         pose.position.z = i == 0 ? 0 : random_range(&random, -reach, reach) * (i > 8 ? 2 : 1);
-        const case_posed now = {shapes[a], shapes[b], origin, pose};
-        posed = now;
+        posed = (case_posed){shapes[a], shapes[b], origin, pose};
         check_trial((unsigned long)i, case_show_posed, &posed);
         check_pair(&shapes[a], &shapes[b], &origin, &pose);
       }

@@ -339,10 +339,9 @@ static void check_cost(random_state *random, uint32_t triangles) {
   surface_make(random, SURFACE_ROUGH, triangles, 40000, false, &s);
   for (int i = 0; i < 1000; i++) {
     const gjk_vec3 *v = &s.vertices[random_below(random, s.vertex_count)];
-    gjk_region region;
+    gjk_region region = {0};
     gjk_parts_walk walk;
     uint32_t number;
-    memset(&region, 0, sizeof region);
     region.box.lower = region.box.upper = *v;
     region.box.lower.x -= 50000;
     region.box.lower.y -= 50000;

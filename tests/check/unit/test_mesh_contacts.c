@@ -4,6 +4,7 @@
 
 #include "generate/surface.h"
 #include "gjk/intersect.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 
 #define SEED UINT64_C(0x436F6E74)
@@ -186,9 +187,8 @@ static void check_body(trial *t) {
 // neither of two. It has its contact all the same, at the distance of the ground.
 static void check_turned_level(random_state *random) {
   static found_contacts found;
-  trial t;
+  trial t = {0};
   unsigned long apart = 0, together = 0;
-  memset(&t, 0, sizeof t);
   for (int k = 0; k < 60; k++) {
     surface_make(random, SURFACE_FLAT, 200, 1 << random_range(random, 5, 9), false, &t.ground);
     t.parts = (gjk_parts)GJK_PARTS_OF_MESH(&t.ground.mesh);
@@ -198,7 +198,7 @@ static void check_turned_level(random_state *random) {
       const gjk_shape ball = GJK_SPHERE(1 + (gjk_q16)random_below(random, 3000));
       const double gap = i % 3 == 0 ? 4 * random_unit(random) - 2 : 2 + 990 * random_unit(random);
       gjk_parts_room room;
-      gjk_collider triangle, body;
+      gjk_collider triangle;
       gjk_distance_result d;
       CHECK(gjk_parts_place(&t.parts, random_below(random, t.ground.triangle_count), &room, &triangle) == GJK_OK);
       const dvec a = of_vec3(&room.vertices[0]), b = of_vec3(&room.vertices[1]), c = of_vec3(&room.vertices[2]);
@@ -207,7 +207,7 @@ static void check_turned_level(random_state *random) {
           add_scaled(add_scaled(a, random_unit(random), minus(c, a)), (ball.convex_radius + gap) / length_of(n), n);
       const gjk_pose pose = {{(int32_t)floor(at.x + 0.5), (int32_t)floor(at.y + 0.5), (int32_t)floor(at.z + 0.5)},
                              {0, 0, 0, GJK_Q30_ONE}};
-      CHECK(gjk_collider_init(&body, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&body, &pose) == GJK_OK);
+      const gjk_collider body = posed(&ball, &pose);
       CHECK(gjk_parts_distance(&t.parts, &body, NULL, &d) == GJK_OK);
       CHECK(gjk_surface_contacts(&t.parts, &body, t.margin, 4, NULL, found.contact, FOUND_MAX, &found.count) == GJK_OK);
       gjk_q16 least = INT32_MAX;
@@ -234,8 +234,7 @@ static void check_ridge(void) {
   static const gjk_shape ball = GJK_SPHERE(30000);
   const gjk_pose above = {{0, 0, 30100}, {0, 0, 0, GJK_Q30_ONE}};
   found_contacts found;
-  gjk_collider body;
-  CHECK(gjk_collider_init(&body, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&body, &above) == GJK_OK);
+  const gjk_collider body = posed(&ball, &above);
   for (unsigned k = 0; k < 6; k++) {
     gjk_mesh_triangle roof[2];
     gjk_mesh_node node;

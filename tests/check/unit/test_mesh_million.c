@@ -132,10 +132,8 @@ static void make_body(random_state *random, case_kind kind, const gjk_vec3 *at, 
 
 // Bodies near the middle of a patch, which reach no farther than its rim: the patch's rim has open edges, the ground not.
 static void check_bodies(uint64_t seed, const gjk_q16 *heights, const ground *whole) {
-  case_shape source;
-  case_collider body;
-  memset(&source, 0, sizeof source);
-  memset(&body, 0, sizeof body);
+  case_shape source = {0};
+  case_collider body = {0};
   for (unsigned long i = 0; i < BODIES; i++) {
     static const case_kind kinds[] = {CASE_BOX, CASE_POINT, CASE_SEGMENT, CASE_HULL};
     static answers all, cut;

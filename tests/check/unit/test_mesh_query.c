@@ -1,12 +1,12 @@
 // Meshes and height fields: limits of fields, what is refused, and bodies that slide over flat ground, which meet its normal
 // alone. test_surface_brute.c, test_parts_order.c and test_height_field.c ask every triangle.
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "generate/surface.h"
 #include "gjk/height_field.h"
 #include "gjk/surface.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 
 #define SEED UINT64_C(0x4D517279)
@@ -75,11 +75,10 @@ static void check_refusals(void) {
   const gjk_parts parts = GJK_PARTS_OF_HEIGHT_FIELD(&bad);
   static const gjk_shape ball = GJK_SPHERE(100);
   const gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider body;
   gjk_decision decision;
   gjk_surface_contact contact[2];
   uint16_t count = 7;
-  CHECK(gjk_collider_init(&body, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&body, &pose) == GJK_OK);
+  const gjk_collider body = posed(&ball, &pose);
   CHECK(gjk_parts_intersect(&parts, &body, NULL, &decision) == GJK_ERROR_EMPTY);
   const gjk_parts sound = GJK_PARTS_OF_HEIGHT_FIELD(&good);
   CHECK(gjk_surface_contacts(&sound, &body, -1, 4, NULL, contact, 2, &count) == GJK_ERROR_NEGATIVE);

@@ -1,18 +1,16 @@
 // Bodies of many parts: intersect, within and distance against every part by the pair's query, bit for bit; with the tree
 // and without; two bodies against each other; and every certificate.
+
 #include <string.h>
 
 #include "check.h"
-#include "generate/body.h"
 #include "parts_answers.h"
-#include "reference/random_shape.h"
+#include "parts_bodies.h"
+#include "random_vec.h"
 
 #define TRIALS 400
 #define VISITORS 12
 
-static generate_body body, other;
-static case_shape visitor;
-static case_collider guest;
 static unsigned touching, apart, ties, several;
 
 static uint32_t count_of(random_state *random) {
@@ -28,9 +26,7 @@ static gjk_vec3 place_of(random_state *random, const gjk_compound *c) {
   const uint32_t choice = random_below(random, 3);
   const int32_t most = (int32_t)(INT32_MAX - c->reach);
   if (choice == 1) {
-    p.x = random_range(random, -most, most);
-    p.y = random_range(random, -most, most);
-    p.z = random_range(random, -most, most);
+    p = random_in_cube(random, most);
   } else if (choice == 2) {
     p.x = random_below(random, 2) == 0 ? most : -most;
     p.y = random_below(random, 2) == 0 ? most : -most;
@@ -73,9 +69,8 @@ static void check_decisions(const gjk_collider *b, gjk_q16 distance) {
 static void check_distance(const gjk_collider *b) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_distance_result best, trial, found;
+  gjk_distance_result best = {0}, trial, found;
   uint32_t least = GJK_PARTS_NONE, part, equal = 0;
-  memset(&best, 0, sizeof best);
   for (uint32_t i = 0; i < body.count; i++) {
     CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
     CHECK(gjk_distance(&c, b, NULL, &trial) == GJK_OK);
@@ -101,10 +96,9 @@ static void check_distance(const gjk_collider *b) {
 static void check_both(void) {
   gjk_parts_room room[2];
   gjk_collider a, b;
-  gjk_distance_result best, trial, found, back;
+  gjk_distance_result best = {0}, trial, found, back;
   gjk_parts_pair pair, turned, least = {GJK_PARTS_NONE, GJK_PARTS_NONE};
   gjk_decision decision;
-  memset(&best, 0, sizeof best);
   for (uint32_t j = 0; j < other.count; j++) {
     CHECK(gjk_parts_place(&other.tree, j, &room[1], &b) == GJK_OK);
     for (uint32_t i = 0; i < body.count; i++) {
@@ -166,20 +160,10 @@ static void try_body(random_state *random, uint64_t seed) {
 }
 
 int main(void) {
-  const uint64_t seed = check_seed(20260721);
   const unsigned long trials = check_trials_least(TRIALS, 40);
-  for (unsigned long i = 0; i < trials; i++) {
-    random_state random = random_seed(seed + 2 * i);
-    check_trial(i, generate_body_show, &body);
-    try_body(&random, seed + 2 * i);
-  }
-  check_trial(trials, NULL, NULL);
+  try_bodies(check_seed(20260721), trials);
   CHECK(touching > trials && apart > trials);
   CHECK(ties > trials / 4);
   CHECK(several > 0);
-  generate_body_free(&body);
-  generate_body_free(&other);
-  case_collider_free(&guest);
-  case_shape_free(&visitor);
   return check_done("test_parts");
 }

@@ -6,17 +6,15 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "parts_answers.h"
+#include "placed.h"
 #include "src/parts/gjk_parts_class.h"
 
 static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
 
 static gjk_collider at_height(const gjk_shape *shape, gjk_q16 z) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  pose.position.z = z;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
+  const gjk_vec3 at = {0, 0, z};
+  return placed(shape, at);
 }
 
 // Two crates side by side make a floor. A third one in the middle above has one manifold, of contacts with both, also where

@@ -3,18 +3,13 @@
 #include <string.h>
 
 #include "check.h"
-#include "generate/body.h"
 #include "parts_answers.h"
-#include "reference/random_shape.h"
-#include "src/motion/gjk_impact.h"
-#include "src/parts/gjk_parts_class.h"
+#include "parts_bodies.h"
+#include "parts_brute.h"
 
 #define TRIALS 150
 #define VISITORS 8
 
-static generate_body body, other;
-static case_shape visitor;
-static case_collider guest;
 static unsigned hits, misses, inside, ray_hits, ray_misses, impacts, free_ways, overlaps;
 
 static gjk_q16 capped(int64_t x) {
@@ -31,36 +26,23 @@ static gjk_vec3 way_from(random_state *random, const gjk_vec3 *from, double most
   return to;
 }
 
-static bool comes_first(const gjk_cast_result *trial, const gjk_cast_result *best, uint32_t part) {
-  return trial->hit && (part == GJK_PARTS_NONE || trial->fraction < best->fraction ||
-                        (trial->fraction == best->fraction && trial->inside && !best->inside));
-}
-
 static void check_cast(random_state *random, const gjk_collider *b, gjk_q16 spread) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_cast_result best, trial, answer;
-  uint32_t first = GJK_PARTS_NONE, part;
+  gjk_cast_result best, answer;
+  uint32_t part;
   const gjk_vec3 *at = &body.tree.pose.position;
   const gjk_vec3 to_a = way_from(random, at, 2.0 * spread), to_b = way_from(random, &b->position, 4.0 * spread);
   const bool a_moves = random_below(random, 2) == 0;
   const gjk_cast_path path = {a_moves ? &to_a : NULL, random_below(random, 8) > 0 ? &to_b : NULL,
                               random_below(random, 2) == 0 ? 0 : random_range(random, 0, spread / 4)};
   gjk_vec3 offset = {0, 0, 0};
-  memset(&best, 0, sizeof best);
-  for (uint32_t i = 0; i < body.count; i++) {
-    CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
-    const gjk_vec3 to = {to_a.x - at->x + c.position.x, to_a.y - at->y + c.position.y, to_a.z - at->z + c.position.z};
-    const gjk_cast_path own = {a_moves ? &to : NULL, path.to_b, path.margin};
-    CHECK(gjk_cast(&c, b, &own, &trial) == GJK_OK);
-    if (comes_first(&trial, &best, first)) {
-      CHECK(gjk_check_cast(&c, b, &own, &trial) != GJK_ERROR_UNPROVEN);
-      first = i;
-      best = trial;
-      offset.x = c.position.x - at->x;
-      offset.y = c.position.y - at->y;
-      offset.z = c.position.z - at->z;
-    }
+  const uint32_t first = brute_cast(&body.tree, b, &path, &best);
+  if (first != GJK_PARTS_NONE) {
+    CHECK(gjk_parts_place(&body.tree, first, &room, &c) == GJK_OK);
+    offset.x = c.position.x - at->x;
+    offset.y = c.position.y - at->y;
+    offset.z = c.position.z - at->z;
   }
   hits += first != GJK_PARTS_NONE;
   misses += first == GJK_PARTS_NONE;
@@ -81,7 +63,7 @@ static void check_cast(random_state *random, const gjk_collider *b, gjk_q16 spre
 static void check_ray(random_state *random, gjk_q16 spread) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_cast_result best, trial, answer;
+  gjk_cast_result best = {0}, trial, answer;
   uint32_t first = GJK_PARTS_NONE, part;
   const gjk_vec3 from = way_from(random, &body.tree.pose.position, 3.0 * spread);
   gjk_vec3 to = way_from(random, random_below(random, 2) == 0 ? &from : &body.tree.pose.position, 3.0 * spread);
@@ -91,11 +73,10 @@ static void check_ray(random_state *random, gjk_q16 spread) {
     to.y = capped(2 * (int64_t)c.centre.y - from.y);
     to.z = capped(2 * (int64_t)c.centre.z - from.z);
   }
-  memset(&best, 0, sizeof best);
   for (uint32_t i = 0; i < body.count; i++) {
     CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
     CHECK(gjk_cast_ray(&c, &from, &to, &trial) == GJK_OK);
-    if (comes_first(&trial, &best, first)) {
+    if (brute_comes_first(&trial, &best, first)) {
       first = i;
       best = trial;
     }
@@ -123,15 +104,11 @@ static gjk_distance_result gap_at(const gjk_motion motion[2], gjk_q30 fraction) 
 
 static void check_impact(random_state *random, gjk_q16 spread) {
   gjk_motion motion[2];
-  gjk_impact_result best, trial, answer;
-  gjk_collider c;
-  gjk_parts_room room;
-  gjk_parts_local local;
-  uint32_t first = GJK_PARTS_NONE, part;
-  bool limited = false;
+  gjk_impact_result best, answer;
+  uint32_t part;
+  bool limited;
   const gjk_impact_setup setup = {random_below(random, 2) == 0 ? 0 : random_range(random, 0, 1000), 512 + 11, 0};
   memset(motion, 0, sizeof motion);
-  memset(&best, 0, sizeof best);
   motion[0].from = body.tree.pose;
   motion[0].to = motion[0].from;
   motion[0].to.position = way_from(random, &motion[0].from.position, spread);
@@ -144,22 +121,8 @@ static void check_impact(random_state *random, gjk_q16 spread) {
   if (random_below(random, 2) == 0) {
     motion[1].spin = random_vector(random, 400000);
   }
-  for (uint32_t i = 0; i < body.count; i++) {
-    body.tree.type->local(body.tree.data, i, &room, &local);
-    CHECK(gjk_collider_init(&c, local.shape, NULL, 0) == GJK_OK);
-    const gjk_carried of[2] = {{&c, &motion[0], local.own, body.with_tree.reach},
-                               {&guest.collider, &motion[1], NULL, 0}};
-    const gjk_status status = gjk_impact_of_carried(of, &setup, gjk_pose_compose, &trial);
-    CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
-    limited = limited || status != GJK_OK;
-    if (status == GJK_OK && trial.hit &&
-        (first == GJK_PARTS_NONE || trial.lower < best.lower ||
-         (trial.lower == best.lower && trial.overlap && !best.overlap))) {
-      first = i;
-      best = trial;
-    }
-  }
   memset(&answer, 0x5A, sizeof answer);
+  const uint32_t first = brute_impact(&body.tree, motion, &guest.collider, &setup, &best, &limited);
   const gjk_status status =
       gjk_parts_time_of_impact(&body.tree, &motion[0], &guest.collider, &motion[1], &setup, &part, &answer);
   if (status == GJK_ERROR_RANGE && body.with_tree.reach > 1000 * 65536) {
@@ -199,21 +162,20 @@ static void check_impact(random_state *random, gjk_q16 spread) {
 static void check_both(random_state *random, gjk_q16 spread) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_cast_result best, trial, answer;
+  gjk_cast_result best = {0}, trial, answer;
   gjk_parts_pair pair, first = {GJK_PARTS_NONE, GJK_PARTS_NONE};
   const gjk_vec3 *at = &other.tree.pose.position;
   const gjk_vec3 to_a = way_from(random, &body.tree.pose.position, 2.0 * spread),
                  to_b = way_from(random, at, 2.0 * spread);
   const gjk_cast_path path = {&to_a, &to_b, 0};
   gjk_vec3 offset = {0, 0, 0};
-  memset(&best, 0, sizeof best);
   for (uint32_t j = 0; j < other.count; j++) {
     uint32_t part;
     CHECK(gjk_parts_place(&other.tree, j, &room, &c) == GJK_OK);
     const gjk_vec3 to = {to_b.x - at->x + c.position.x, to_b.y - at->y + c.position.y, to_b.z - at->z + c.position.z};
     const gjk_cast_path own = {&to_a, &to, 0};
     CHECK(gjk_parts_cast(&body.tree, &c, &own, &part, &trial) == GJK_OK);
-    if (comes_first(&trial, &best, first.b)) {
+    if (brute_comes_first(&trial, &best, first.b)) {
       first.a = part;
       first.b = j;
       best = trial;
@@ -256,22 +218,12 @@ static void try_body(random_state *random, uint64_t seed) {
 }
 
 int main(void) {
-  const uint64_t seed = check_seed(20260723);
   const unsigned long trials = check_trials_least(TRIALS, 40);
-  for (unsigned long i = 0; i < trials; i++) {
-    random_state random = random_seed(seed + 2 * i);
-    check_trial(i, generate_body_show, &body);
-    try_body(&random, seed + 2 * i);
-  }
-  check_trial(trials, NULL, NULL);
+  try_bodies(check_seed(20260723), trials);
   CHECK(hits > trials && misses > trials && inside > trials / 2);
   CHECK(ray_hits > trials && ray_misses > trials);
   CHECK(impacts > trials / 8 && free_ways > trials / 8 && overlaps > trials / 16);
   printf("casts %u %u %u, rays %u %u, impacts %u %u %u\n", hits, misses, inside, ray_hits, ray_misses, impacts,
          free_ways, overlaps);
-  generate_body_free(&body);
-  generate_body_free(&other);
-  case_collider_free(&guest);
-  case_shape_free(&visitor);
   return check_done("test_parts_cast");
 }

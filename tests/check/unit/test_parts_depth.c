@@ -3,17 +3,15 @@
 #include <string.h>
 
 #include "check.h"
-#include "generate/body.h"
 #include "parts_answers.h"
-#include "reference/random_shape.h"
+#include "parts_bodies.h"
+#include "parts_brute.h"
+#include "placed.h"
 
 #define TRIALS 250
 #define VISITORS 8
 #define CELLS 4000
 
-static generate_body body, other;
-static case_shape visitor;
-static case_collider guest;
 static gjk_epa_cell cells[CELLS];
 static gjk_parts_manifold expected[GENERATE_BODY_PARTS * 8], found[GENERATE_BODY_PARTS * 8];
 static unsigned overlapping, apart, short_of_cells, many, short_of_room, touching;
@@ -25,29 +23,11 @@ static uint32_t some_cells(random_state *random) {
 
 static void check_depth(const gjk_collider *b, uint32_t count) {
   const gjk_workspace workspace = {cells, count};
-  gjk_penetration_result best, trial, answer[2];
-  gjk_parts_room room;
-  gjk_collider c;
-  uint32_t deepest = GJK_PARTS_NONE, part[2];
-  gjk_status of_best = GJK_OK;
-  gjk_q16 lower = 0;
-  memset(&best, 0, sizeof best);
-  for (uint32_t i = 0; i < body.count; i++) {
-    CHECK(gjk_parts_place(&body.tree, i, &room, &c) == GJK_OK);
-    const gjk_status status = gjk_penetration(&c, b, NULL, &workspace, &trial);
-    CHECK(status == GJK_OK || status == GJK_ERROR_CAPACITY);
-    if (!trial.intersecting) {
-      continue;
-    }
-    CHECK(status != GJK_OK || gjk_check_penetration(&c, b, &trial) != GJK_ERROR_UNPROVEN);
-    lower = trial.lower > lower ? trial.lower : lower;
-    if (deepest == GJK_PARTS_NONE || trial.depth > best.depth) {
-      deepest = i;
-      of_best = status;
-      best = trial;
-    }
-  }
-  best.lower = lower;
+  gjk_penetration_result best, answer[2];
+  uint32_t part[2];
+  gjk_status of_best;
+  unsigned long ties = 0;
+  const uint32_t deepest = brute_depth(&body.tree, b, &workspace, &best, &of_best, &ties);
   overlapping += deepest != GJK_PARTS_NONE;
   apart += deepest == GJK_PARTS_NONE;
   short_of_cells += of_best == GJK_ERROR_CAPACITY;
@@ -98,11 +78,10 @@ static void check_both(gjk_q16 margin) {
   const gjk_workspace workspace = {cells, CELLS};
   gjk_parts_room room;
   gjk_collider c;
-  gjk_penetration_result best, trial, answer;
+  gjk_penetration_result best = {0}, trial, answer;
   gjk_parts_pair pair, deepest = {GJK_PARTS_NONE, GJK_PARTS_NONE};
   uint32_t wanted = 0, all;
   gjk_q16 lower = 0;
-  memset(&best, 0, sizeof best);
   memset(&answer, 0x5A, sizeof answer);
   for (uint32_t j = 0; j < other.count; j++) {
     uint32_t part, count;
@@ -162,13 +141,11 @@ static void check_walls(void) {
                                       {&wall, {{GJK_Q16(-2), 0, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
   gjk_compound_node nodes[GJK_COMPOUND_NODES(2)];
   gjk_compound c;
-  gjk_collider b;
   gjk_penetration_result result;
   uint32_t part;
-  const gjk_pose pose = GJK_POSE_IDENTITY;
   CHECK(gjk_compound_build(parts, 2, nodes, GJK_COMPOUND_NODES(2), &c) == GJK_OK);
   const gjk_parts body_of_walls = GJK_PARTS_OF_COMPOUND(&c);
-  CHECK(gjk_collider_init(&b, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &pose) == GJK_OK);
+  const gjk_collider b = placed_at(&ball, 0, 0, 0);
   CHECK(gjk_parts_penetration(&body_of_walls, &b, NULL, &part, &result) == GJK_OK);
   CHECK_MSG(part == 0 && result.depth == GJK_Q16(1) && result.normal.x <= -GJK_Q30_ONE + 4,
             "part %lu depth %ld normal %ld", (unsigned long)part, (long)result.depth, (long)result.normal.x);
@@ -180,20 +157,10 @@ static void check_walls(void) {
 }
 
 int main(void) {
-  const uint64_t seed = check_seed(20260722);
   const unsigned long trials = check_trials_least(TRIALS, 40);
   check_walls();
-  for (unsigned long i = 0; i < trials; i++) {
-    random_state random = random_seed(seed + 2 * i);
-    check_trial(i, generate_body_show, &body);
-    try_body(&random, seed + 2 * i);
-  }
-  check_trial(trials, NULL, NULL);
+  try_bodies(check_seed(20260722), trials);
   CHECK(overlapping > trials / 2 && apart > trials / 2 && touching > trials / 20);
   CHECK(short_of_cells > trials / 20 && many > trials / 2 && short_of_room > trials / 4);
-  generate_body_free(&body);
-  generate_body_free(&other);
-  case_collider_free(&guest);
-  case_shape_free(&visitor);
   return check_done("test_parts_depth");
 }

@@ -6,20 +6,14 @@
 #include "check.h"
 #include "filled.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
 static const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
 
-static gjk_collider placed(const gjk_shape *shape) {
-  const gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider c;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
-}
-
 // The queries that ask a part whatever its place is.
 static void check_refusals(const gjk_parts *a) {
-  const gjk_collider b = placed(&ball);
+  const gjk_collider b = posed(&ball, &still.from);
   const gjk_impact_setup setup = {0, GJK_PARTS_TOLERANCE_MIN, 0};
   gjk_distance_result distance;
   gjk_impact_result impact;
@@ -67,7 +61,7 @@ static void test_nodes(void) {
   CHECK(gjk_compound_build(parts, 2, nodes, 2, &compound) == GJK_OK);
   compound.count = 1;  // so the second node's part is beyond the end
   const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
-  const gjk_collider b = placed(&ball);
+  const gjk_collider b = posed(&ball, &still.from);
   const gjk_impact_setup setup = {0, GJK_PARTS_TOLERANCE_MIN, 0};
   gjk_impact_result impact;
   gjk_distance_result distance;
@@ -77,7 +71,7 @@ static void test_nodes(void) {
   CHECK(gjk_parts_time_of_impact(&body, &still, &b, &still, &setup, &part, &impact) == GJK_ERROR_RANGE);
   CHECK(part == 77 && is_untouched(&impact, sizeof impact));
   const gjk_vec3 apart = {GJK_Q16(3.0), 0, 0};
-  gjk_collider far = placed(&ball);
+  gjk_collider far = posed(&ball, &still.from);
   CHECK(gjk_collider_move(&far, &apart) == GJK_OK);
   CHECK(gjk_parts_distance(&body, &far, &part, &distance) == GJK_ERROR_RANGE);
   CHECK(part == 77 && is_untouched(&distance, sizeof distance));
@@ -188,7 +182,7 @@ static void test_arguments(void) {
   const gjk_compound nothing = {0};
   gjk_compound_node node;
   gjk_compound compound;
-  gjk_collider b = placed(&ball), never = {0};
+  gjk_collider b = posed(&ball, &still.from), never = {0};
   gjk_motion motion[2] = {still, still};
   gjk_impact_setup setup = {0, GJK_PARTS_BOTH_TOLERANCE_MIN, 0};
   gjk_cast_path path = {NULL, NULL, 0};

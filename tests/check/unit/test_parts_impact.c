@@ -99,10 +99,9 @@ static gjk_status ask(const question *q, gjk_parts_pair *pair, gjk_impact_result
 
 static void check_question(random_state *random, const question *q) {
   gjk_parts_pair first, pair;
-  gjk_impact_result best, answer;
+  gjk_impact_result best = {0}, answer;
   gjk_q30 limited;
   gjk_pose end;
-  memset(&best, 0, sizeof best);
   memset(&answer, 0x5A, sizeof answer);
   ask_every_pair(q, &first, &best, &limited);
   const gjk_status status = ask(q, &pair, &answer);
@@ -155,9 +154,8 @@ static void set_motions(random_state *random, gjk_q16 spread, question *q) {
   if (random_below(random, 2) == 0) {
     q->motion[1].spin = random_vector(random, 400000);
   }
-  const gjk_impact_setup setup = {random_below(random, 2) == 0 ? 0 : random_range(random, 0, 1000), 2048,
-                                  random_below(random, 3) == 0 ? (uint8_t)(1 + random_below(random, 3)) : 0};
-  q->setup = setup;
+  q->setup = (gjk_impact_setup){random_below(random, 2) == 0 ? 0 : random_range(random, 0, 1000), 2048,
+                                random_below(random, 3) == 0 ? (uint8_t)(1 + random_below(random, 3)) : 0};
 }
 
 static void make_field(random_state *random, gjk_q16 spread) {
@@ -165,8 +163,7 @@ static void make_field(random_state *random, gjk_q16 spread) {
     heights[k] = (int16_t)(random_below(random, 8) == 0 ? GJK_HEIGHT_HOLE : random_range(random, -200, 200));
   }
   heights[0] = heights[1] = heights[SIDE + 1] = heights[SIDE + 2] = 0;
-  const gjk_height_field made = {heights, SIDE + 1, SIDE + 1, spread / SIDE + 1, spread / SIDE + 1, spread / 400 + 1};
-  field = made;
+  field = (gjk_height_field){heights, SIDE + 1, SIDE + 1, spread / SIDE + 1, spread / SIDE + 1, spread / 400 + 1};
 }
 
 // Bodies that stand still: they overlap at the start, or miss.

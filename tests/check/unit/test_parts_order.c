@@ -6,6 +6,7 @@
 #include "check.h"
 #include "gjk/gjk.h"
 #include "parts_answers.h"
+#include "placed.h"
 #include "random.h"
 #include "src/mesh/gjk_triangle.h"
 
@@ -28,17 +29,15 @@ static gjk_height_field field;
 static unsigned long ties, hits, misses, walked, asked, touching, crowds;
 
 static gjk_vec3 lattice(random_state *random, int32_t from, int32_t to, int32_t step) {
-  const gjk_vec3 v = {random_range(random, from, to) * step, random_range(random, from, to) * step,
-                      random_range(random, from, to) * step};
-  return v;
+  return (gjk_vec3){random_range(random, from, to) * step, random_range(random, from, to) * step,
+                    random_range(random, from, to) * step};
 }
 
 // Crates on a lattice, some at one place.
 static gjk_parts crates(random_state *random, uint16_t count) {
   gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
   for (uint16_t i = 0; i < count; i++) {
-    const gjk_compound_part part = {&crate, GJK_POSE_IDENTITY};
-    parts[i] = part;
+    parts[i] = (gjk_compound_part){&crate, GJK_POSE_IDENTITY};
     parts[i].pose.position = lattice(random, -3, 3, STEP);
   }
   CHECK(gjk_compound_build(parts, count, nodes, GJK_COMPOUND_NODES(PARTS), &compound) == GJK_OK);
@@ -125,12 +124,11 @@ static void check_walk(const gjk_parts *body, const gjk_vec3 *from, const gjk_ve
 // collider NULL: a ray. Ties go to a part that overlaps at the start, then to the lowest number.
 static void check_first(const gjk_parts *body, const gjk_collider *b, const gjk_vec3 *from, const gjk_vec3 *to) {
   const gjk_cast_path path = {NULL, to, 0};
-  gjk_cast_result best, trial, answer;
+  gjk_cast_result best = {0}, trial, answer;
   gjk_parts_room room;
   gjk_collider part;
   uint32_t first = GJK_PARTS_NONE, found;
   unsigned equals = 0;
-  memset(&best, 0, sizeof best);
   for (uint32_t i = 0; i < gjk_parts_count(body); i++) {
     if (gjk_parts_place(body, i, &room, &part) != GJK_OK) {
       continue;  // a hole
@@ -160,7 +158,6 @@ static void check_body(random_state *random, const gjk_parts *body) {
     const int32_t half = STEP / 2;
     gjk_vec3 from = lattice(random, -12, 12, half), to = lattice(random, -12, 12, half);
     const uint32_t how = random_below(random, 5);
-    gjk_collider c;
     gjk_pose pose = identity;
     if (how > 0) {  // along an axis, or level
       to.x = how == 1 || how == 2 ? from.x : to.x;
@@ -168,7 +165,7 @@ static void check_body(random_state *random, const gjk_parts *body) {
       to.z = how == 2 || how == 3 || how == 4 ? from.z : to.z;
     }
     pose.position = from;
-    CHECK(gjk_collider_init(&c, &small, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(&small, &pose);
     check_walk(body, &from, &to);
     check_first(body, i % 2 == 0 ? NULL : &c, &from, &to);
   }

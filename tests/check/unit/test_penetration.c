@@ -45,14 +45,7 @@ typedef struct campaign {
 static gjk_epa_cell cells[CELLS];
 static const gjk_workspace roomy = {cells, CELLS};
 
-static void expect(campaign *c, bool holds, const char *what) {
-  CHECK_MSG(holds, "%s: %s: %s", c->pair.id, what, c->why);
-  if (!holds && c->failures++ < FAILURES_SHOWN) {
-    case_print(stdout, &c->pair);
-    fflush(stdout);
-  }
-  c->why[0] = '\0';
-}
+#include "campaign.h"
 
 // Whatever changes in the way to an answer, `intersecting` and the depth may not change.
 static void expect_same(campaign *c, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, const char *what) {
@@ -81,9 +74,8 @@ static bool move(gjk_collider *collider, const exact_point *t) {
 }
 
 static exact_point step_of(random_state *random, int32_t most) {
-  const exact_point t = {
+  return (exact_point){
       {random_range(random, -most, most), random_range(random, -most, most), random_range(random, -most, most)}};
-  return t;
 }
 
 static void check_elsewhere(campaign *c) {
@@ -181,8 +173,7 @@ static void check_shuffled(campaign *c) {
   shuffle(&c->random, &c->changed.a);
   shuffle(&c->random, &c->changed.b);
   // The centre of the box around the rounded vertices may lie beyond int32_t.
-  if (case_collider_build(&c->other_a, &c->changed.a, false) == GJK_OK &&
-      case_collider_build(&c->other_b, &c->changed.b, false) == GJK_OK) {
+  if (case_pair_build(&c->changed, false, &c->other_a, &c->other_b)) {
     expect_same(c, &c->other_a.collider, &c->other_b.collider, NULL, "vertices shuffled");
   }
 }
@@ -238,11 +229,6 @@ static void check_brute(campaign *c) {
   c->brute++;
 }
 
-static bool build(campaign *c) {
-  return case_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
-         case_collider_build(&c->b, &c->pair.b, false) == GJK_OK;
-}
-
 static void check_answer(campaign *c) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_penetration_result *r = &c->found;
@@ -260,7 +246,7 @@ static void check_answer(campaign *c) {
 
 static void check_pair(campaign *c) {
   memset(&c->own, 0, sizeof c->own);
-  const bool built = build(c);
+  const bool built = case_pair_build(&c->pair, false, &c->a, &c->b);
   expect(c, built, "the pair can be posed");
   const gjk_status status =
       built ? gjk_penetration(&c->a.collider, &c->b.collider, &c->own, &roomy, &c->found) : GJK_ERROR_RANGE;
@@ -307,8 +293,7 @@ static void run_family(campaign *c, uint64_t seed, unsigned long pairs) {
          family->name, c->pairs, share, c->touching, c->iterations, (unsigned long)c->cells, c->brute);
   fflush(stdout);
   if (pairs >= 1000) {
-    CHECK_MSG(share >= family->least, "%s: %.1f %% intersect", family->name, share);
-    CHECK_MSG(share <= family->most, "%s: %.1f %% intersect", family->name, share);
+    campaign_check_share(family->name, share, family->least, family->most);
   }
 }
 
@@ -346,9 +331,7 @@ int main(int argc, char **argv) {
     CHECK(c.proofs[GJK_PROOF_NEAREST] > 4000);
   }
   case_pair_free(&c.pair);
-  case_pair_free(&c.changed);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.changed, &c.a, &c.b);
   case_collider_free(&c.other_a);
   case_collider_free(&c.other_b);
   return check_done("penetration");

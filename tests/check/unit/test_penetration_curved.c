@@ -33,17 +33,12 @@ static void raise(long double *largest, long double value) {
   *largest = value > *largest ? value : *largest;
 }
 
-static bool build(subject *s) {
-  return case_collider_build(&s->a, &s->pair.a, false) == GJK_OK &&
-         case_collider_build(&s->b, &s->pair.b, false) == GJK_OK;
-}
-
 // Puts B's centre within half of both radii of A's.
 static bool make_pair(random_state *random, case_kind a, case_kind b, subject *s) {
   const gjk_q16 reach = random_reach(random);
   random_shape(random, a, reach, &s->pair.a);
   random_shape(random, b, random_below(random, 2) == 0 ? reach : random_reach(random), &s->pair.b);
-  if (!build(s)) {
+  if (!case_pair_build(&s->pair, false, &s->a, &s->b)) {
     return false;
   }
   const gjk_collider *p = &s->a.collider, *q = &s->b.collider;
@@ -52,7 +47,7 @@ static bool make_pair(random_state *random, case_kind a, case_kind b, subject *s
   position->x += p->centre.x - q->centre.x + by.x;
   position->y += p->centre.y - q->centre.y + by.y;
   position->z += p->centre.z - q->centre.z + by.z;
-  return build(s);
+  return case_pair_build(&s->pair, false, &s->a, &s->b);
 }
 
 // How far a point is outside of a shape.
@@ -152,8 +147,6 @@ int main(void) {
       test_cell(&random, (case_kind)a, (case_kind)b, &s);
     }
   }
-  case_pair_free(&s.pair);
-  case_collider_free(&s.a);
-  case_collider_free(&s.b);
+  case_pair_release(&s.pair, &s.a, &s.b);
   return check_done("penetration-curved");
 }

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "exact/depth.h"
 #include "gjk/gjk.h"
+#include "placed.h"
 #include "random.h"
 
 #define SEED 31
@@ -20,13 +21,9 @@
 static gjk_epa_cell cells[CELLS];
 static const gjk_workspace workspace = {cells, CELLS};
 
-static gjk_collider placed(const gjk_shape *shape, gjk_vec3 position, const gjk_quat *rotation) {
-  gjk_pose pose = {position, *rotation};
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
+static gjk_collider turned(const gjk_shape *shape, gjk_vec3 position, const gjk_quat *rotation) {
+  const gjk_pose pose = {position, *rotation};
+  return posed(shape, &pose);
 }
 
 static gjk_quat random_turn(random_state *random) {
@@ -38,8 +35,7 @@ static gjk_quat random_turn(random_state *random) {
 }
 
 static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
-  const gjk_vec3 s = {a.x + b.x, a.y + b.y, a.z + b.z};
-  return s;
+  return (gjk_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 static gjk_q16 random_depth(random_state *random, gjk_q16 below) {
@@ -50,8 +46,7 @@ static gjk_q16 random_depth(random_state *random, gjk_q16 below) {
 static void show(unsigned long number, const gjk_shape *a, gjk_vec3 at_a, const gjk_quat *turn_a, const gjk_shape *b,
                  gjk_vec3 at_b, const gjk_quat *turn_b) {
   static case_posed posed;
-  const case_posed now = {*a, *b, {at_a, *turn_a}, {at_b, *turn_b}};
-  posed = now;
+  posed = (case_posed){*a, *b, {at_a, *turn_a}, {at_b, *turn_b}};
   check_trial(number, case_show_posed, &posed);
 }
 
@@ -80,8 +75,8 @@ static void test_end_of_world(void) {
     end.z = walls == 3 || walls == 1 ? 0 : end.z;
     const gjk_vec3 start = {end.x - apart.x, end.y - apart.y, end.z - apart.z}, origin = {0, 0, 0};
     show((unsigned long)i, &box, start, &turn_a, &capsule, end, &turn_b);
-    const gjk_collider a = placed(&box, start, &turn_a), b = placed(&capsule, end, &turn_b);
-    const gjk_collider p = placed(&box, origin, &turn_a), q = placed(&capsule, sum(origin, apart), &turn_b);
+    const gjk_collider a = turned(&box, start, &turn_a), b = turned(&capsule, end, &turn_b);
+    const gjk_collider p = turned(&box, origin, &turn_a), q = turned(&capsule, sum(origin, apart), &turn_b);
     gjk_penetration_result there = {0}, here = {0};
     CHECK(gjk_penetration(&a, &b, NULL, &workspace, &there) == GJK_OK);
     CHECK(gjk_penetration(&p, &q, NULL, &workspace, &here) == GJK_OK);
@@ -106,7 +101,7 @@ static void test_walls(void) {
         const gjk_q16 end = sign > 0 ? INT32_MAX - room : INT32_MIN + room, inner = end - sign * 9;
         const gjk_vec3 at = {axis == 0 ? end : 5, axis == 1 ? end : 5, axis == 2 ? end : 5},
                        in = {axis == 0 ? inner : 5, axis == 1 ? inner : 5, axis == 2 ? inner : 5};
-        const gjk_collider a = placed(&ball, in, &none), b = placed(&ball, at, &none);
+        const gjk_collider a = turned(&ball, in, &none), b = turned(&ball, at, &none);
         const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
                                   axis == 2 ? sign * GJK_Q30_ONE : 0};
         gjk_penetration_result r;
@@ -136,8 +131,8 @@ static void test_thin_convex_radius(void) {
                    at = {random_range(&random, -size / 2, size / 2), random_range(&random, -size / 2, size / 2),
                          random_range(&random, -size / 2, size / 2)};
     show((unsigned long)i, &a_shape, origin, &turn_a, &b_shape, at, &turn_b);
-    const gjk_collider a = placed(&a_shape, origin, &turn_a);
-    gjk_collider b = placed(&b_shape, at, &turn_b);
+    const gjk_collider a = turned(&a_shape, origin, &turn_a);
+    gjk_collider b = turned(&b_shape, at, &turn_b);
     gjk_penetration_result r;
     CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK);
     CHECK(r.intersecting);
@@ -200,7 +195,7 @@ static void test_widened_normals(void) {
     const gjk_vec3 end = {start.x + side * random_range(&random, size / 64, i % 64 == 0 ? size : size / 4), start.y,
                           start.z};
     show((unsigned long)i, &a_shape, start, &turn, &b_shape, end, &none);
-    const gjk_collider a = placed(&a_shape, start, &turn), b = placed(&b_shape, end, &none);
+    const gjk_collider a = turned(&a_shape, start, &turn), b = turned(&b_shape, end, &none);
     gjk_penetration_result r;
     char why[200] = "";
     CHECK(gjk_penetration(&a, &b, NULL, NULL, &r) == GJK_OK);
@@ -218,11 +213,10 @@ static void test_widened_normals(void) {
 static void test_signed_apart(void) {
   static const gjk_shape box = GJK_BOX(ONE, ONE, ONE);
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
-  gjk_cache cache;
-  memset(&cache, 0, sizeof cache);
+  gjk_cache cache = {0};
   for (int extra = 0; extra < 4; extra++) {
     const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + extra, ONE / 2};
-    const gjk_collider a = placed(&box, origin, &none), b = placed(&box, at, &none);
+    const gjk_collider a = turned(&box, origin, &none), b = turned(&box, at, &none);
     gjk_distance_result r;
     CHECK(gjk_signed_distance(&a, &b, &cache, NULL, &r) == GJK_OK);
     CHECK(!r.intersecting);
@@ -258,7 +252,7 @@ static void test_workspaces(void) {
   static const gjk_workspace *const bad[] = {NULL, &none, &empty, &few};
   const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
   const gjk_vec3 origin = {0, 0, 0}, at = {100, 200, 300};
-  const gjk_collider a = placed(&hull, origin, &turn), b = placed(&ball, at, &turn);
+  const gjk_collider a = turned(&hull, origin, &turn), b = turned(&ball, at, &turn);
   gjk_penetration_result whole, r;
   CHECK(gjk_penetration(&a, &b, NULL, &workspace, &whole) == GJK_OK);
   // The depth is the least of (1 + v . at) / sqrt(3) over the corners v, 37606.3 LSB, and the radius of the ball.
@@ -293,7 +287,7 @@ static void test_many_faces(void) {
   const gjk_workspace large = {malloc((size_t)GJK_EPA_CELLS(POINTS) * sizeof(gjk_epa_cell)), GJK_EPA_CELLS(POINTS)};
   const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
   const gjk_vec3 origin = {0, 0, 0};
-  const gjk_collider a = placed(&hull, origin, &turn), b = placed(&point, origin, &turn);
+  const gjk_collider a = turned(&hull, origin, &turn), b = turned(&point, origin, &turn);
   gjk_penetration_result r;
   CHECK(gjk_penetration(&a, &b, NULL, &large, &r) == GJK_ERROR_CAPACITY);
   CHECK(r.intersecting);
@@ -309,7 +303,7 @@ static void test_many_faces(void) {
 static void test_refusals(void) {
   static const gjk_shape point = GJK_POINT;
   const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
-  const gjk_collider a = placed(&point, (gjk_vec3){123456, 0, 0}, &turn), none = {0};
+  const gjk_collider a = turned(&point, (gjk_vec3){123456, 0, 0}, &turn), none = {0};
   gjk_penetration_result r, before;
   gjk_distance_result d;
   CHECK(gjk_penetration(&a, &a, NULL, NULL, &r) == GJK_OK && r.intersecting && r.depth == 0);

@@ -5,9 +5,9 @@
 
 #include "check.h"
 #include "gjk/penetration.h"
+#include "parts_answers.h"
 #include "reference/accurate.h"
 #include "reference/random_shape.h"
-#include "same.h"
 
 #define SEED 20261122
 #define PAIRS ((int)check_trials(600))
@@ -82,13 +82,6 @@ static void random_pair(random_state *random) {
   pair.b.pose.position = random_below(random, 4) == 0 ? origin : random_vector(random, random_unit(random) * reach);
 }
 
-static bool same_answer(const gjk_penetration_result *p, const gjk_penetration_result *q) {
-  return p->intersecting == q->intersecting && p->iterations == q->iterations &&
-         (!p->intersecting || (p->depth == q->depth && p->lower == q->lower && p->upper == q->upper &&
-                               same_vec3(&p->point_a, &q->point_a) && same_vec3(&p->point_b, &q->point_b) &&
-                               p->normal.x == q->normal.x && p->normal.y == q->normal.y && p->normal.z == q->normal.z));
-}
-
 static gjk_status ask(uint32_t count, gjk_penetration_result *out) {
   const gjk_workspace workspace = {cells, count};
   memset(out, 0, sizeof *out);
@@ -103,7 +96,7 @@ static void check_smaller(const gjk_penetration_result *full, gjk_status status,
     const gjk_status found = ask(counts[i], &less);
     if (found == GJK_OK) {
       CHECK_MSG(status == GJK_OK, "%s, %lu cells", pair.id, (unsigned long)counts[i]);
-      CHECK_MSG(same_answer(&less, full), "%s, %lu cells", pair.id, (unsigned long)counts[i]);
+      CHECK_MSG(same_penetration(&less, full), "%s, %lu cells", pair.id, (unsigned long)counts[i]);
     } else {
       CHECK_MSG(found == GJK_ERROR_CAPACITY, "%s, %lu cells: %d", pair.id, (unsigned long)counts[i], found);
       CHECK_MSG(less.lower <= full->upper, "%s, %lu cells: bounds", pair.id, (unsigned long)counts[i]);
@@ -123,7 +116,7 @@ static void check_pair(tally *t) {
   CHECK_MSG(full.iterations <= GJK_ITERATIONS_MAX + 4 + GJK_EPA_CURVED_ITERATIONS_MAX, "%s: %u iterations", pair.id,
             full.iterations);
   CHECK_MSG(ask(MANY, &more) == status, "%s: more cells, another answer", pair.id);
-  CHECK_MSG(same_answer(&full, &more), "%s: more cells, another answer", pair.id);
+  CHECK_MSG(same_penetration(&full, &more), "%s: more cells, another answer", pair.id);
   t->iterations = full.iterations > t->iterations ? full.iterations : t->iterations;
   if (full.intersecting) {
     accurate_result truth;
@@ -177,8 +170,6 @@ int main(void) {
   CHECK(PAIRS < 100 || t.answers > (unsigned long)PAIRS * 9 / 10);
   CHECK(of_known.bounds > 0);
   CHECK(t.smaller > (unsigned long)PAIRS);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("penetration_flat");
 }

@@ -128,8 +128,7 @@ static gjk2_cache make_rubbish(random_state *random) {
 
 int main(void) {
   unsigned touching = 0, apart = 0;
-  gjk2_cache before;
-  memset(&before, 0, sizeof before);
+  gjk2_cache before = {0};
   for (unsigned i = 0; i < PAIRS; i++) {
     random_state random = random_seed(check_seed(SEED) + i);
     const bool aligned = i % 2 == 0;
@@ -139,10 +138,8 @@ int main(void) {
     const gjk2_cache rubbish = make_rubbish(&random);
     question q;
     answers cold, warm;
-    gjk2_cache own, past;
+    gjk2_cache own = {0}, past = {0};
     gjk2_distance_result gap;
-    memset(&own, 0, sizeof own);
-    memset(&past, 0, sizeof past);
     const bool baked = i % 3 != 0;
     CHECK(gjk2_collider_init(&q.a, &shapes[0], baked ? posed[0] : NULL, CORNERS) == GJK_OK);
     CHECK(gjk2_collider_init(&q.b, &shapes[1], baked ? posed[1] : NULL, CORNERS) == GJK_OK);

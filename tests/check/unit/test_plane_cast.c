@@ -1,5 +1,6 @@
 // gjk2_cast, gjk2_cast_ray and gjk2_check_cast against brute force: the way clipped by every edge of A - B, in fractions of
 // 128 bits.
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2014
@@ -330,8 +331,7 @@ static void check_case(random_state *r, const cast_case *c) {
   const gjk2_collider *a = &c->pair[0].collider, *b = &c->pair[1].collider;
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + c->margin;
   const gjk2_cast_path path = {c->moves_a ? &c->to_a : NULL, &c->to_b, c->margin};
-  gjk2_cast_result out;
-  memset(&out, 0, sizeof out);
+  gjk2_cast_result out = {0};
   CHECK(gjk2_cast(a, b, &path, &out) == GJK_OK);
   tally.iterations_most = out.iterations > tally.iterations_most ? out.iterations : tally.iterations_most;
   CHECK(out.certificate.proof != GJK2_CAST_PROOF_SPHERES || out.iterations == 0);
@@ -570,7 +570,7 @@ static void test_wide(random_state *r) {
     check_trial(i, print_case, &c);
     const bool checked = random_below(r, 2) == 0;
     const int32_t size = 1 << random_range(r, 2, 22), far = (checked ? 1 << 29 : INT32_MAX) - (1 << 24);
-    const gjk2_vec centre = {random_range(r, -far, far), random_range(r, -far, far)};
+    const gjk2_vec centre = plane_random_vec(r, far);
     // Through about the centre, as far as the world lets it; or from there to anywhere.
     const bool leaves = random_below(r, 8) == 0;
     const bool across = checked && random_below(r, 2) == 0;
@@ -618,7 +618,7 @@ static void test_halves_and_rays(random_state *r) {
     c.pair[1].shape.convex_radius = 0;
     c.moves_a = false;
     const gjk2_vec from = c.pair[1].pose.position;
-    const gjk2_vec half = {random_range(r, -2 * size, 2 * size), random_range(r, -2 * size, 2 * size)};
+    const gjk2_vec half = plane_random_vec(r, 2 * size);
     c.to_b.x = from.x + 2 * half.x;
     c.to_b.y = from.y + 2 * half.y;
     finish_case(&c);
@@ -635,11 +635,8 @@ static void test_halves_and_rays(random_state *r) {
     if (first.hit) {
       CHECK(first.inside == whole.inside && first.fraction / 2 == whole.fraction);
     }
-    gjk2_collider end = {0};
-    gjk2_pose pose = GJK2_POSE_IDENTITY;
-    pose.position = from;
     gjk2_cast_result ray;
-    CHECK(gjk2_collider_init(&end, &point, NULL, 0) == GJK_OK && gjk2_collider_pose(&end, &pose) == GJK_OK);
+    const gjk2_collider end = placed2(&point, from.x, from.y);
     CHECK(gjk2_cast(a, &end, &path, &whole) == GJK_OK);
     CHECK(gjk2_cast_ray(a, &from, &c.to_b, &ray) == GJK_OK);
     CHECK(ray.hit == whole.hit);
@@ -659,8 +656,7 @@ static void test_curved(random_state *r) {
     check_trial(i, NULL, NULL);
     const int32_t size = random_below(r, 2) == 0 ? 2000 : 300000;
     plane_random_pair(r, size, size * 2, c.pair);
-    const gjk2_shape ellipse = GJK2_ELLIPSE(random_range(r, 1, size), random_range(r, 1, size));
-    c.pair[0].shape = ellipse;
+    c.pair[0].shape = (gjk2_shape)GJK2_ELLIPSE(random_range(r, 1, size), random_range(r, 1, size));
     c.moves_a = false;
     c.margin = random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4);
     const gjk2_vec from = c.pair[1].pose.position, at = c.pair[0].pose.position, other = c.pair[1].collider.centre;
@@ -739,14 +735,10 @@ static void test_circles(random_state *r) {
     const int32_t size = random_below(r, 2) == 0 ? 8 : random_below(r, 2) == 0 ? 2000 : 300000;
     const int32_t radius_a = random_range(r, 1, size), radius_b = random_range(r, 1, size), sum = radius_a + radius_b;
     const gjk2_shape shape_a = GJK2_ELLIPSE(radius_a, radius_a), shape_b = GJK2_ELLIPSE(radius_b, radius_b);
-    gjk2_pose pose = GJK2_POSE_IDENTITY;
-    gjk2_collider a = {0}, b = {0};
     gjk2_cast_result out;
-    CHECK(gjk2_collider_init(&a, &shape_a, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
-    pose.position.x = random_range(r, -4 * size, 4 * size);
-    pose.position.y = random_range(r, -4 * size, 4 * size);
-    CHECK(gjk2_collider_init(&b, &shape_b, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
-    const gjk2_vec to = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
+    const gjk2_vec from = plane_random_vec(r, 4 * size);
+    const gjk2_collider a = placed2(&shape_a, 0, 0), b = placed2(&shape_b, from.x, from.y);
+    const gjk2_vec to = plane_random_vec(r, 4 * size);
     const gjk2_cast_path path = {NULL, &to, 0};
     const gjk_status status = gjk2_cast(&a, &b, &path, &out);
     if (status == GJK_ERROR_ITERATION_LIMIT) {  // of a build with a low ceiling
@@ -754,7 +746,7 @@ static void test_circles(random_state *r) {
       continue;
     }
     CHECK(status == GJK_OK);
-    const double px = pose.position.x, py = pose.position.y, tx = to.x - px, ty = to.y - py, way = tx * tx + ty * ty;
+    const double px = from.x, py = from.y, tx = to.x - px, ty = to.y - py, way = tx * tx + ty * ty;
     const double least = way > 0 ? -(px * tx + py * ty) / way : 0, foot = least < 0 ? 0 : least > 1 ? 1 : least;
     const double nearest = hypot(px + foot * tx, py + foot * ty) - sum;
     CHECK_MSG(out.hit ? nearest <= 4 : nearest >= -3, "%g of %d and %d", nearest, radius_a, radius_b);
@@ -781,12 +773,10 @@ static void test_rays(random_state *r) {
     check_trial(i, NULL, NULL);
     const int32_t size = random_below(r, 2) == 0 ? 20 : 300000, radius = random_range(r, 1, size);
     const gjk2_shape circle = GJK2_CIRCLE(radius);
-    const gjk2_pose pose = GJK2_POSE_IDENTITY;
-    const gjk2_vec from = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
-    const gjk2_vec to = {random_range(r, -2 * size, 2 * size), random_range(r, -2 * size, 2 * size)};
-    gjk2_collider a = {0};
+    const gjk2_vec from = plane_random_vec(r, 4 * size);
+    const gjk2_vec to = plane_random_vec(r, 2 * size);
+    const gjk2_collider a = placed2(&circle, 0, 0);
     gjk2_cast_result out;
-    CHECK(gjk2_collider_init(&a, &circle, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
     CHECK(gjk2_cast_ray(&a, &from, &to, &out) == GJK_OK);
     const double px = from.x, py = from.y, tx = to.x - px, ty = to.y - py, way = tx * tx + ty * ty;
     const double least = way > 0 ? -(px * tx + py * ty) / way : 0, foot = least < 0 ? 0 : least > 1 ? 1 : least;
@@ -812,11 +802,9 @@ static void test_diagonal(void) {
   const int32_t away = INT32_C(1300000000);
   const gjk2_vec from = {-away, -away}, to = {away, away};
   const gjk_q30 fraction = (gjk_q30)(((INT64_C(1) << 30) * (away - 9)) / (2 * (int64_t)away));
-  const gjk2_pose pose = GJK2_POSE_IDENTITY;
   for (int i = 0; i < 4; i++) {
-    gjk2_collider a = {0};
+    const gjk2_collider a = placed2(&shapes[i], 0, 0);
     gjk2_cast_result out;
-    CHECK(gjk2_collider_init(&a, &shapes[i], NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
     CHECK(gjk2_cast_ray(&a, &from, &to, &out) == GJK_OK && out.hit && !out.inside);
     CHECK_MSG(out.fraction == fraction, "%d: %d not %d", i, (int)out.fraction, (int)fraction);
     CHECK(out.normal.x <= 0 && out.normal.y <= 0);
@@ -825,19 +813,16 @@ static void test_diagonal(void) {
 
 // Circles on ways of up to 5 2^29 LSB that pass each other: 5 beside LSB apart, since the way leads along (3, 4).
 static void test_long_pass(random_state *r) {
-  const gjk2_pose origin = GJK2_POSE_IDENTITY;
   for (int i = 0; i < 300; i++) {
     const int32_t beside = random_range(r, 10, 1 << (4 + i % 22)), length = random_range(r, 1 << 28, 1 << 29);
     const gjk2_vec from = {-4 * beside - 3 * (length / 2), 3 * beside - 4 * (length / 2)};
     const gjk2_vec to = {from.x + 3 * length, from.y + 4 * length};
     for (int32_t less = -1; less <= 1; less++) {
       const gjk2_shape a = GJK2_CIRCLE(beside), b = GJK2_CIRCLE(4 * beside - less);
-      gjk2_collider c[2] = {{0}, {0}};
+      const gjk2_collider c[2] = {placed2(&a, 0, 0), placed2(&b, from.x, from.y)};
       gjk2_cast_result out;
       const gjk2_cast_path path = {NULL, &to, 0};
-      CHECK(gjk2_collider_init(&c[0], &a, NULL, 0) == GJK_OK && gjk2_collider_pose(&c[0], &origin) == GJK_OK);
-      CHECK(gjk2_collider_init(&c[1], &b, NULL, 0) == GJK_OK && gjk2_collider_pose(&c[1], &origin) == GJK_OK);
-      CHECK(gjk2_collider_move(&c[1], &from) == GJK_OK && gjk2_cast(&c[0], &c[1], &path, &out) == GJK_OK);
+      CHECK(gjk2_cast(&c[0], &c[1], &path, &out) == GJK_OK);
       CHECK_MSG(out.hit == (less <= 0), "%d beside, %d less", (int)beside, (int)less);
     }
   }
@@ -846,15 +831,10 @@ static void test_long_pass(random_state *r) {
 // A hit of a smaller circle, with the point of A moved out, is no hit of a larger one, which is met before.
 static void test_late_claim(void) {
   static const gjk2_shape larger = GJK2_CIRCLE(1000), smaller = GJK2_CIRCLE(996), other = GJK2_CIRCLE(50);
-  const gjk2_vec from = {5000, 0}, to = {-5000, 0};
-  gjk2_collider a = {0}, less = {0}, b = {0};
-  gjk2_pose pose = GJK2_POSE_IDENTITY;
+  const gjk2_vec to = {-5000, 0};
+  const gjk2_collider a = placed2(&larger, 0, 0), less = placed2(&smaller, 0, 0), b = placed2(&other, 5000, 0);
   const gjk2_cast_path path = {NULL, &to, 0};
   gjk2_cast_result claim;
-  CHECK(gjk2_collider_init(&a, &larger, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
-  CHECK(gjk2_collider_init(&less, &smaller, NULL, 0) == GJK_OK && gjk2_collider_pose(&less, &pose) == GJK_OK);
-  pose.position = from;
-  CHECK(gjk2_collider_init(&b, &other, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
   CHECK(gjk2_cast(&less, &b, &path, &claim) == GJK_OK && gjk2_check_cast(&less, &b, &path, &claim) == GJK_OK);
   claim.point_a.x += 4;
   CHECK(gjk2_check_cast(&a, &b, &path, &claim) == GJK_ERROR_UNPROVEN);
@@ -890,16 +870,10 @@ static void growing_support(const void *user, const gjk2_vec *d, gjk2_vec *out) 
 // Distances that stay open, with margins up to the largest: the sanitisers see the sums.
 static void test_open_margins(void) {
   static const gjk2_shape growing = GJK2_CUSTOM(growing_support, NULL, 200000);
-  const gjk2_vec start[2] = {{-2000000000, 0}, {2000000000, 0}};
-  gjk2_collider c[2];
+  const gjk2_collider c[2] = {placed2(&growing, -2000000000, 0), placed2(&growing, 2000000000, 0)};
   gjk2_cast_result out;
   gjk2_distance_result gap;
   unsigned open = 0;
-  for (int i = 0; i < 2; i++) {
-    gjk2_pose pose = GJK2_POSE_IDENTITY;
-    pose.position = start[i];
-    CHECK(gjk2_collider_init(&c[i], &growing, NULL, 0) == GJK_OK && gjk2_collider_pose(&c[i], &pose) == GJK_OK);
-  }
   for (int k = 0; k < 80; k++) {
     const gjk2_vec to = {k / 8 * 100000000, 0};
     const gjk2_cast_path path = {NULL, &to, INT32_MAX - k % 8};

@@ -4,10 +4,6 @@
 //   test_plane_certificates [SEED [PAIRS [FAMILY]]]    default: seed 1,
 //   150,000 pairs over all families
 //
-// A pair that fails is printed as a case, which gjk-query reads.
-#include <stdlib.h>
-#include <string.h>
-
 #include "check.h"
 #include "exact/claim2.h"
 #include "generate/generate2.h"
@@ -29,19 +25,12 @@ typedef struct campaign {
   random_state random;
   unsigned long pairs, intersecting, near, touching, mutants, refused, failures;
   unsigned iterations;                           // largest
-  unsigned long proofs[GJK2_PROOF_LINE + 1][4];  // by kind and count of named
-                                                 // pairs, over all families
+  unsigned long proofs[GJK2_PROOF_LINE + 1][5];  // by kind and count of named pairs, over all families
   char why[160];
 } campaign;
 
-static void expect(campaign *c, bool holds, const char *what) {
-  CHECK_MSG(holds, "%s: %s: %s", c->pair.id, what, c->why);
-  if (!holds && c->failures++ < FAILURES_SHOWN) {
-    case2_print(stdout, &c->pair);
-    fflush(stdout);
-  }
-  c->why[0] = '\0';
-}
+#define case_print case2_print
+#include "campaign.h"
 
 static void count_proof(campaign *c, const gjk2_certificate *certificate) {
   if (certificate->proof <= GJK2_PROOF_LINE && certificate->count <= 3) {
@@ -203,8 +192,7 @@ static void check_wrong_answers(campaign *c, const gjk2_distance_result *right) 
 
 static void check_pair(campaign *c) {
   gjk2_distance_result r;
-  gjk2_cache own;
-  memset(&own, 0, sizeof own);
+  gjk2_cache own = {0};
   const bool built = case2_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
                      case2_collider_build(&c->b, &c->pair.b, false) == GJK_OK &&
                      exact2_pair_set(&c->a.collider, &c->b.collider, &c->exact);
@@ -246,60 +234,39 @@ static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
       family->name, c->pairs, share, 100.0 * (double)c->touching / all, c->iterations, c->refused, c->mutants);
   fflush(stdout);
   if (pairs >= 1000) {
-    CHECK_MSG(share >= family->least, "%s: %.1f %% intersect", family->name, share);
-    CHECK_MSG(share <= family->most, "%s: %.1f %% intersect", family->name, share);
+    campaign_check_share(family->name, share, family->least, family->most);
     CHECK_MSG(family->near == 0 || c->near * 10 >= (c->pairs - c->intersecting) * 9, "%s: %lu near", family->name,
               c->near);
   }
   return c->iterations;
 }
 
-// Every kind of proof must occur, with each number of vertices that it can
-// have.
-static void check_proofs(const campaign *c, unsigned long pairs) {
-  static const struct {
-    gjk2_proof proof;
-    unsigned least, most;
-    const char *name;
-    unsigned long share;  // at least one of so many pairs
-  } kinds[] = {
-      {.proof = GJK2_PROOF_CIRCLES, .least = 0, .most = 0, .name = "circles", .share = 1000},
-      {.proof = GJK2_PROOF_DIRECTION, .least = 0, .most = 0, .name = "direction", .share = 1000},
-      {.proof = GJK2_PROOF_NEAREST, .least = 1, .most = 2, .name = "nearest", .share = 1000},
-      {.proof = GJK2_PROOF_NEAR, .least = 1, .most = 2, .name = "near", .share = 1000},
-      {.proof = GJK2_PROOF_ENCLOSING, .least = 1, .most = 3, .name = "enclosing", .share = 1000},
-      {.proof = GJK2_PROOF_EDGE, .least = 2, .most = 2, .name = "edge", .share = 1000},
-      {.proof = GJK2_PROOF_LINE, .least = 1, .most = 1, .name = "line", .share = 10000},
-  };
-  for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-    for (unsigned count = kinds[i].least; count <= kinds[i].most; count++) {
-      const unsigned long given = c->proofs[kinds[i].proof][count];
-      printf("%lu times %s of %u pairs\n", given, kinds[i].name, count);
-      CHECK_MSG(given > pairs / kinds[i].share, "%s of %u pairs: %lu", kinds[i].name, count, given);
-    }
-  }
+static void check_proofs(campaign *c, unsigned long pairs) {
+  static const campaign_proof kinds[] = {
+      {GJK2_PROOF_CIRCLES, 0, 0, "circles", 1000},     {GJK2_PROOF_DIRECTION, 0, 0, "direction", 1000},
+      {GJK2_PROOF_NEAREST, 1, 2, "nearest", 1000},     {GJK2_PROOF_NEAR, 1, 2, "near", 1000},
+      {GJK2_PROOF_ENCLOSING, 1, 3, "enclosing", 1000}, {GJK2_PROOF_EDGE, 2, 2, "edge", 1000},
+      {GJK2_PROOF_LINE, 1, 1, "line", 10000}};
+  campaign_check_proofs(kinds, sizeof kinds / sizeof kinds[0], c->proofs, pairs);
 }
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
-  const unsigned long pairs = argc > 2 ? strtoul(argv[2], NULL, 10) : PAIRS;
-  const char *name = argc > 3 ? argv[3] : NULL;
-  const unsigned long each = name != NULL ? pairs : (pairs + generate2_family_count - 1) / generate2_family_count;
+  const campaign_request asked = campaign_requested(argc, argv, PAIRS, generate2_family_count);
   unsigned iterations = 0;
   unsigned long total = 0, refused = 0;
   for (unsigned i = 0; i < generate2_family_count; i++) {
     c.family = &generate2_families[i];
-    if (name == NULL || strcmp(name, c.family->name) == 0) {
-      const unsigned needed = run_family(&c, seed, each);
+    if (campaign_includes(&asked, c.family->name)) {
+      const unsigned needed = run_family(&c, asked.seed, asked.each);
       iterations = needed > iterations ? needed : iterations;
       total += c.pairs;
       refused += c.refused;
     }
   }
   printf("%lu pairs, %u iterations at most\n", total, iterations);
-  CHECK(total >= pairs);
-  if (name == NULL && pairs >= 10000) {
+  CHECK(total >= asked.count);
+  if (asked.name == NULL && asked.count >= 10000) {
     CHECK(refused > total / 4);
     check_proofs(&c, total);
   }

@@ -2,6 +2,7 @@
 // polygons as colliders; each decision against a plain reading of the contract, by many directions.
 #include "gjk2/chain.h"
 
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2013
@@ -57,8 +58,7 @@ static uint16_t make_ground(random_state *r, ground kind) {
 }
 
 static gjk2_vec difference(gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec d = {p.x - q.x, p.y - q.y};
-  return d;
+  return (gjk2_vec){p.x - q.x, p.y - q.y};
 }
 
 static int64_t cross(gjk2_vec p, gjk2_vec q) {
@@ -190,10 +190,8 @@ static void slide(random_state *r) {
   const bool rolls = random_below(r, 2) == 0;
   const int32_t speed = random_range(r, 1, 1 << random_below(r, 17));
   const int32_t slop = random_below(r, 3) == 0 ? 1 : random_range(r, 2, 400);
-  gjk2_chain chain;
-  gjk2_collider body;
-  memset(&chain, 0, sizeof chain);
-  memset(&body, 0, sizeof body);
+  gjk2_chain chain = {0};
+  gjk2_collider body = {0};
   CHECK(gjk2_chain_init(&chain, vertices, n, &origin) == GJK_OK);
   CHECK(gjk2_collider_init(&body, &shape, buffer, 8) == GJK_OK);
   const gjk2_vec run = difference(vertices[0], vertices[n - 1]);
@@ -259,22 +257,20 @@ static void check_loop(random_state *r, int32_t size) {
   static plane_body pair[2];
   static gjk2_vec loop[PLANE_VERTICES + 1];
   uint16_t corners, count = 0;
-  gjk2_chain chain;
+  gjk2_chain chain = {0};
   gjk2_chain_contact found[FOUND];
   gjk2_distance_result truth, line;
   plane_random_pair(r, size, size * 3 / 2, pair);
   const gjk2_collider *body = &pair[1].collider;
   const gjk2_shape solid = GJK2_POLYGON(pair[0].vertices, (uint16_t)(3 + random_below(r, 10)));
   pair[0].shape = solid;
-  const gjk2_rotation none = {GJK_Q30_ONE, 0};
-  pair[0].pose.rotation = none;
+  pair[0].pose.rotation = (gjk2_rotation){GJK_Q30_ONE, 0};
   CHECK(gjk2_polygon_order(pair[0].vertices, solid.count, loop, &corners) == GJK_OK);
   if (corners < 3) {
     return;
   }
   plane_place(&pair[0], true);
   loop[corners] = loop[0];
-  memset(&chain, 0, sizeof chain);
   CHECK(gjk2_chain_init(&chain, loop, (uint16_t)(corners + 1), &pair[0].pose.position) == GJK_OK);
   CHECK(gjk2_signed_distance(&pair[0].collider, body, NULL, &truth) == GJK_OK);
   const gjk_q16 margin = random_range(r, 0, size);
@@ -335,9 +331,8 @@ static long double reach_of(const gjk2_collider *body, long double nx, long doub
 }
 
 static plane_point placed(const gjk2_chain *chain, int i) {
-  const plane_point p = {(int64_t)chain->vertices[i].x + chain->position.x,
-                         (int64_t)chain->vertices[i].y + chain->position.y};
-  return p;
+  return (plane_point){(int64_t)chain->vertices[i].x + chain->position.x,
+                       (int64_t)chain->vertices[i].y + chain->position.y};
 }
 
 static bool same_contact(const gjk2_chain_contact *p, const gjk2_chain_contact *q) {
@@ -399,14 +394,13 @@ static void check_ranges(random_state *r, const gjk2_chain *chain, const gjk2_co
 static void check_any(random_state *r, int32_t size) {
   static plane_body pair[2];
   gjk2_vec v[14];
-  gjk2_chain chain;
+  gjk2_chain chain = {0};
   gjk2_chain_contact found[FOUND];
   uint16_t n = (uint16_t)random_range(r, 3, 12), count = 0;
   plane_random_pair(r, size, size, pair);
   const gjk2_collider *body = &pair[1].collider;
   for (int i = 0; i < n; i++) {
-    v[i].x = random_range(r, -size, size);
-    v[i].y = random_range(r, -size, size);
+    v[i] = plane_random_vec(r, size);
     if (i > 0 && random_below(r, 5) == 0) {
       v[i] = v[i - 1 - (int)random_below(r, 2) * (i > 1)];
     }
@@ -416,7 +410,6 @@ static void check_any(random_state *r, int32_t size) {
     n++;
   }
   const gjk_q16 margin = random_range(r, 0, size);
-  memset(&chain, 0, sizeof chain);
   const gjk_status status = gjk2_chain_init(&chain, v, n, &body->centre);
   CHECK(status == GJK_OK || status == GJK_ERROR_EMPTY);
   if (status != GJK_OK) {
@@ -452,7 +445,7 @@ static void check_any(random_state *r, int32_t size) {
 static void check_room(random_state *r, int32_t size) {
   static plane_body pair[2];
   gjk2_vec loop[PLANE_VERTICES + 1];
-  gjk2_chain chain;
+  gjk2_chain chain = {0};
   gjk2_chain_contact found[FOUND];
   uint16_t corners, count = 0;
   plane_random_pair(r, size, size / 2, pair);
@@ -467,7 +460,6 @@ static void check_room(random_state *r, int32_t size) {
     loop[corners - 1 - i] = v;
   }
   loop[corners] = loop[0];
-  memset(&chain, 0, sizeof chain);
   CHECK(gjk2_chain_init(&chain, loop, (uint16_t)(corners + 1), &pair[0].pose.position) == GJK_OK);
   CHECK(gjk2_chain_contacts(&chain, body, NULL, 0, found, FOUND, &count) == GJK_OK);
   plane_point v[PLANE_VERTICES];
@@ -506,17 +498,11 @@ static void check_room(random_state *r, int32_t size) {
 static void check_words(void) {
   static const gjk2_vec line[] = {{100000, 0}, {0, 0}, {0, 50000}, {-80000, 50000}};
   const gjk2_shape shape = GJK2_BOX(10000, 10000), ball = GJK2_CIRCLE(10000);
-  gjk2_collider box, circle;
-  gjk2_chain chain;
+  gjk2_chain chain = {0};
   gjk2_chain_contact c[8];
   uint16_t n = 0;
-  memset(&chain, 0, sizeof chain);
-  memset(&box, 0, sizeof box);
-  memset(&circle, 0, sizeof circle);
-  gjk2_pose pose = GJK2_POSE_IDENTITY;
   CHECK(gjk2_chain_init(&chain, line, 4, &origin) == GJK_OK);
-  CHECK(gjk2_collider_init(&box, &shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&box, &pose) == GJK_OK);
-  CHECK(gjk2_collider_init(&circle, &ball, NULL, 0) == GJK_OK && gjk2_collider_pose(&circle, &pose) == GJK_OK);
+  gjk2_collider box = placed2(&shape, 0, 0), circle = placed2(&ball, 0, 0);
   const struct {
     gjk2_vec at;
     bool round;
@@ -576,16 +562,11 @@ static void check_tip(void) {
     uint16_t segment, feature;
     gjk_q16 least;
   } expected[] = {{1, 0, -3292}, {1, 0, -3292}, {1, 0, 0}, {1, 256, -1000}, {0, 256, -1000}};
-  gjk2_chain chain;
-  gjk2_collider body;
+  gjk2_chain chain = {0};
   gjk2_chain_contact c[4];
-  const gjk2_pose pose = GJK2_POSE_IDENTITY;
-  memset(&chain, 0, sizeof chain);
-  memset(&body, 0, sizeof body);
   CHECK(gjk2_chain_init(&chain, blade, 3, &origin) == GJK_OK);
   for (int kind = 0; kind < 2; kind++) {
-    CHECK(gjk2_collider_init(&body, kind == 0 ? &ball : &box, NULL, 0) == GJK_OK);
-    CHECK(gjk2_collider_pose(&body, &pose) == GJK_OK);
+    gjk2_collider body = placed2(kind == 0 ? &ball : &box, 0, 0);
     for (int i = kind == 0 ? 0 : 3; i < 5; i++) {
       uint16_t n = 0;
       CHECK(gjk2_collider_move(&body, &places[i]) == GJK_OK);
@@ -603,17 +584,12 @@ static void check_limits(void) {
   static const gjk2_vec ridge[] = {{100000, 0}, {0, 50000}, {-100000, 0}};
   const gjk2_shape point = GJK2_POINT, oval = GJK2_ELLIPSE(10000, 10000);
   const gjk2_vec above = {0, 50100}, left = {-100000, 0}, right = {100000, 0}, beside = {100000 + 9000, 3000};
-  gjk2_chain chain;
-  gjk2_collider body;
+  gjk2_chain chain = {0};
   gjk2_chain_contact c[4];
   uint16_t n = 0, segment = 9;
   bool yes = false;
-  const gjk2_pose pose = GJK2_POSE_IDENTITY;
-  memset(&chain, 0, sizeof chain);
-  memset(&body, 0, sizeof body);
   CHECK(gjk2_chain_init(&chain, ridge, 3, &origin) == GJK_OK);
-  CHECK(gjk2_collider_init(&body, &point, NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &pose) == GJK_OK);
-  CHECK(gjk2_collider_move(&body, &above) == GJK_OK);
+  gjk2_collider body = placed2(&point, above.x, above.y);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 100, c, 4, &n) == GJK_OK);
   CHECK(n == 1 && c[0].segment == 1 && c[0].manifold.feature_a == 0 && least_of(&c[0]) == 100);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 99, c, 4, &n) == GJK_OK && n == 0);
@@ -621,8 +597,7 @@ static void check_limits(void) {
   CHECK(gjk2_chain_intersect(&chain, &body, NULL, &yes, &segment) == GJK_OK && yes && segment == 1);
   CHECK(gjk2_collider_move(&body, &right) == GJK_OK);
   CHECK(gjk2_chain_intersect(&chain, &body, NULL, &yes, &segment) == GJK_OK && yes && segment == 0);
-  CHECK(gjk2_collider_init(&body, &oval, NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &pose) == GJK_OK);
-  CHECK(gjk2_collider_move(&body, &beside) == GJK_OK);
+  body = placed2(&oval, beside.x, beside.y);
   CHECK(gjk2_chain_contacts(&chain, &body, NULL, 0, c, 4, &n) == GJK_OK);
   CHECK(n == 1 && c[0].segment == 0 && c[0].manifold.feature_a == 0 && is_of_surface(&chain, &c[0]));
   CHECK(points_are_opposite(&c[0]));
@@ -635,14 +610,13 @@ static void check_arguments(void) {
   const gjk2_vec far = {INT32_MAX - 99, 0};
   gjk2_pose pose = GJK2_POSE_IDENTITY;
   gjk2_chain chain, raw;
-  gjk2_collider body, unposed;
+  gjk2_collider body = {0}, unposed;
   gjk2_chain_contact out;
   gjk2_distance_result d;
   uint16_t n = 77, segment;
   bool yes;
   memset(&chain, 0, sizeof chain);
   memset(&raw, 0, sizeof raw);
-  memset(&body, 0, sizeof body);
   CHECK(gjk2_collider_init(&body, &ball, NULL, 0) == GJK_OK);
   unposed = body;
   CHECK(gjk2_collider_pose(&body, &pose) == GJK_OK);
@@ -663,8 +637,7 @@ static void check_arguments(void) {
   CHECK(gjk2_chain_init(&chain, tall, 2, &origin) == GJK_ERROR_SIZE);
   CHECK(gjk2_chain_init(&chain, back, 2, &origin) == GJK_ERROR_SIZE);
   static const gjk2_vec longest[] = {{0, 0}, {GJK2_RADIUS_MAX, -GJK2_RADIUS_MAX}, {0, 0}};
-  gjk2_chain other;
-  memset(&other, 0, sizeof other);
+  gjk2_chain other = {0};
   CHECK(gjk2_chain_init(&other, longest, 3, &origin) == GJK_OK && other.closed);
   CHECK(memcmp(&chain, &raw, sizeof chain) == 0);
   CHECK(gjk2_chain_move(&chain, &origin) == GJK_ERROR_UNINITIALISED);

@@ -26,8 +26,7 @@ typedef struct vec {
 } vec;
 
 static vec scaled_sum(vec a, double s, vec b) {
-  const vec out = {a.x + s * b.x, a.y + s * b.y};
-  return out;
+  return (vec){a.x + s * b.x, a.y + s * b.y};
 }
 
 static double dot(vec a, vec b) {
@@ -95,8 +94,7 @@ static void make_ground(random_state *random, ride *r) {
 }
 
 static vec vertex_of(const ride *r, unsigned i) {
-  const vec v = {r->vertices[i].x, r->vertices[i].y};
-  return v;
+  return (vec){r->vertices[i].x, r->vertices[i].y};
 }
 
 static void pose_body(ride *r) {
@@ -122,8 +120,7 @@ static gjk2_chain_range range_near(ride *r, double reach) {
   const int more = (int)(reach / r->step) + 2;
   const int from = (int)r->first > more ? (int)r->first - more : 0;
   const int to = (int)r->first + more < SEGMENTS ? (int)r->first + more : SEGMENTS - 1;
-  const gjk2_chain_range range = {(uint16_t)from, (uint16_t)(to - from + 1)};
-  return range;
+  return (gjk2_chain_range){(uint16_t)from, (uint16_t)(to - from + 1)};
 }
 
 // Is the normal one that the ground has within the range: no farther round than the normals of two of its segments?

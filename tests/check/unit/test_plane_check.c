@@ -105,17 +105,14 @@ static void forge_penetration(random_state *r, const gjk2_collider *a, const gjk
 }
 
 static void check_pair(random_state *r, const gjk2_collider *a, const gjk2_collider *b) {
-  gjk2_decision decision;
-  gjk2_distance_result distance;
-  gjk2_penetration_result depth;
+  gjk2_decision decision = {0};
+  gjk2_distance_result distance = {0};
+  gjk2_penetration_result depth = {0};
   gjk2_cache cache;
   for (unsigned i = 0; i < sizeof cache; i++) {
     ((uint8_t *)&cache)[i] = (uint8_t)random_below(r, random_below(r, 2) == 0 ? 4 : 256);
   }
   const gjk_q16 asked = random_below(r, 2) == 0 ? 0 : (gjk_q16)random_below(r, UINT32_C(1) << random_below(r, 30));
-  memset(&distance, 0, sizeof distance);
-  memset(&depth, 0, sizeof depth);
-  memset(&decision, 0, sizeof decision);
   for (int warm = 0; warm < 2; warm++) {
     CHECK(gjk2_within(a, b, asked, warm ? &cache : NULL, &decision) == GJK_OK);
     CHECK(gjk2_check_decision(a, b, asked, &decision) == GJK_OK);

@@ -5,6 +5,7 @@
 #include "check.h"
 #include "generate/shape2.h"
 #include "gjk2/gjk2.h"
+#include "placed2.h"
 #include "plane_same.h"
 #include "src/plane/gjk2_class.h"
 
@@ -55,10 +56,8 @@ static void make_body(random_state *random, gjk_q16 size, body *out) {
 }
 
 static void place_body(body *b, const gjk2_pose *pose) {
-  CHECK(gjk2_collider_init(&b->own, &b->shape, NULL, 0) == GJK_OK);
-  CHECK(gjk2_collider_pose(&b->own, pose) == GJK_OK);
-  CHECK(gjk2_collider_init(&b->general, &b->general_shape, NULL, 0) == GJK_OK);
-  CHECK(gjk2_collider_pose(&b->general, pose) == GJK_OK);
+  b->own = posed2(&b->shape, pose);
+  b->general = posed2(&b->general_shape, pose);
   b->is_polygon = b->own.count == 4;
   for (uint16_t i = 0; i < 4 && b->is_polygon; i++) {
     static const uint16_t counterclockwise[4] = {3, 2, 0, 1};
@@ -175,9 +174,8 @@ int main(void) {
       bring_near(&a, &b, &to, random_range(&random, -3, 3));
     }
     const gjk_q16 margin = random_below(&random, 2) == 0 ? 0 : any_length(&random, size);
-    gjk2_cache cache;
+    gjk2_cache cache = {0};
     answers own, again, general, polygons;
-    memset(&cache, 0, sizeof cache);
     ask(&a.own, &b.own, margin, NULL, &own);
     ask(&a.general, &b.general, margin, NULL, &general);
     compare(&own, &general, true);

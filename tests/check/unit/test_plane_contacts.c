@@ -72,9 +72,8 @@ static void pose_at(plane_body *body, int32_t x, int32_t y, gjk_angle turn) {
 // A box that rests on another, congruent or aside, and trembles by an LSB and by 1e-7 radian.
 static void check_rest(random_state *r, plane_body *pair) {
   const gjk_q16 x = random_range(r, 20000, 90000), y = random_range(r, 20000, 90000);
-  const gjk2_shape below = GJK2_BOX(x, y), above = GJK2_BOX(random_below(r, 2) == 0 ? x : x / 2, y);
-  pair[0].shape = below;
-  pair[1].shape = above;
+  pair[0].shape = (gjk2_shape)GJK2_BOX(x, y);
+  pair[1].shape = (gjk2_shape)GJK2_BOX(random_below(r, 2) == 0 ? x : x / 2, y);
   const int32_t aside = random_below(r, 3) == 0 ? random_range(r, -x, x) : 0;
   gjk2_manifold now, before;
   for (int tick = 0; tick < 8; tick++) {
@@ -123,8 +122,7 @@ static void check_kinds(plane_body *pair) {
 static void check_arguments(const plane_body *pair) {
   gjk2_manifold m, before;
   const gjk2_collider *a = &pair[0].collider, *b = &pair[1].collider;
-  gjk2_collider raw;
-  memset(&raw, 0, sizeof raw);
+  gjk2_collider raw = {0};
   memset(&m, 7, sizeof m);
   before = m;
   CHECK(gjk2_contacts(NULL, b, 0, 2, NULL, &m) == GJK_ERROR_NULL);

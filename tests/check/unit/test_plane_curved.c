@@ -101,8 +101,7 @@ int main(void) {
     plane_random_pair(&r, size, (int32_t)((int64_t)size * random_range(&r, 0, 4) / 2), pair);
     check_circle(&r, pair, &exact, size);
     if (i % 4 == 0) {
-      const gjk2_shape ellipse = GJK2_ROUNDED_ELLIPSE(random_range(&r, 0, size), random_range(&r, 0, size), 3);
-      pair[0].shape = ellipse;
+      pair[0].shape = (gjk2_shape)GJK2_ROUNDED_ELLIPSE(random_range(&r, 0, size), random_range(&r, 0, size), 3);
       plane_place(&pair[0], false);
       check_efforts(&r, &pair[0].collider, &pair[1].collider);
     }

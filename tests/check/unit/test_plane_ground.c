@@ -2,6 +2,7 @@
 // quarter by quarter. Each query against the same asked of every segment alone, two-sided, with the contract read plainly.
 #include "gjk2/ground.h"
 
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2311
@@ -204,8 +205,7 @@ static void check_near(random_state *r, const gjk2_pose *pose) {
 
 static gjk2_pose any_pose(random_state *r) {
   gjk2_pose pose = GJK2_POSE_IDENTITY;
-  pose.position.x = random_range(r, -1000000, 1000000);
-  pose.position.y = random_range(r, -1000000, 1000000);
+  pose.position = plane_random_vec(r, 1000000);
   if (random_below(r, 2) == 0) {
     pose.rotation = plane_random_rotation(r);
     tally.turned++;
@@ -295,7 +295,7 @@ static void set_segment(const line *l, gjk2_collider *out) {
   const gjk2_pose identity = GJK2_POSE_IDENTITY;
   corners[0] = l->p;
   corners[1] = corners[2] = l->q;
-  CHECK(gjk2_collider_init(out, &segment_shape, NULL, 0) == GJK_OK && gjk2_collider_pose(out, &identity) == GJK_OK);
+  *out = posed2(&segment_shape, &identity);
 }
 
 static void check_distances(random_state *r, const gjk2_pose *pose) {
@@ -338,8 +338,7 @@ static void check_chain_contacts(random_state *r) {
   gjk2_pose pose = GJK2_POSE_IDENTITY;
   uint16_t count = 0, expected = 0;
   const gjk_q16 margin = random_range(r, 0, 5000);
-  pose.position.x = random_range(r, -1000000, 1000000);
-  pose.position.y = random_range(r, -1000000, 1000000);
+  pose.position = plane_random_vec(r, 1000000);
   gjk2_vec at = vertices[random_below(r, polyline.count)];
   body.pose.position.x = at.x + pose.position.x + random_range(r, -60000, 60000);
   body.pose.position.y = at.y + pose.position.y + random_range(r, -60000, 60000);
@@ -365,7 +364,7 @@ static void check_chain_contacts(random_state *r) {
 static void check_cast(random_state *r, const gjk2_pose *pose) {
   gjk2_cast_result hit, of_segment;
   uint32_t segment = 0;
-  const gjk2_vec way = {random_range(r, -400000, 400000), random_range(r, -400000, 400000)};
+  const gjk2_vec way = plane_random_vec(r, 400000);
   const gjk2_vec to = {body.pose.position.x + way.x, body.pose.position.y + way.y};
   const gjk2_cast_path path = {NULL, &to, random_below(r, 2) == 0 ? 0 : random_range(r, 0, 3000)};
   CHECK(gjk2_ground_cast(&ground, pose, &body.collider, &path, &hit, &segment) == GJK_OK);
@@ -621,8 +620,7 @@ static void check_statuses(void) {
   CHECK(gjk2_ground_of_tiles(&t, &out, &made) == GJK_ERROR_EMPTY);
   CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_OK);
   plane_body point;
-  const gjk2_shape dot = GJK2_POINT;
-  point.shape = dot;
+  point.shape = (gjk2_shape)GJK2_POINT;
   CHECK(gjk2_collider_init(&point.collider, &point.shape, NULL, 0) == GJK_OK);
   CHECK(gjk2_ground_within(&out, &identity, &point.collider, 0, &yes) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk2_collider_pose(&point.collider, &identity) == GJK_OK);

@@ -5,6 +5,7 @@
 #include "check.h"
 #include "gjk2/gjk2.h"
 #include "gjk2/ground.h"
+#include "placed2.h"
 #include "random.h"
 #include "src/ground/gjk2_ground_walk.h"
 #include "src/plane/gjk2_line.h"
@@ -17,13 +18,6 @@ static gjk2_ground ground;
 static gjk2_shape ground_shape;
 static const gjk2_pose origin = GJK2_POSE_IDENTITY;
 static const gjk2_shape disc = GJK2_CIRCLE(ONE), dot = GJK2_POINT;
-
-static gjk2_collider put(const gjk2_shape *shape, gjk_q16 x, gjk_q16 y) {
-  const gjk2_pose pose = {{x, y}, {GJK_Q30_ONE, 0}};
-  gjk2_collider c;
-  CHECK(gjk2_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&c, &pose) == GJK_OK);
-  return c;
-}
 
 static void make_chain(const gjk2_vec *vertices, uint16_t count) {
   static gjk2_polyline chain;
@@ -39,7 +33,7 @@ static void check_rest(void) {
   const gjk2_pose pose = {{100, 200}, {GJK_Q30_ONE, 0}};
   const gjk2_vec to = {100 + 3000, 200 + 8 * ONE};
   const gjk2_cast_path path = {&to, NULL, 0};
-  const gjk2_collider ball = put(&disc, 0, 200 + 5 * ONE);
+  const gjk2_collider ball = placed2(&disc, 0, 200 + 5 * ONE);
   gjk2_cast_result hit;
   uint32_t segment;
   make_chain(level, 2);
@@ -64,7 +58,7 @@ static void check_profiles(void) {
   profile.count = 3;
   profile.width = 1;
   CHECK(gjk2_ground_of_heights(&profile, &ground, &ground_shape) == GJK_OK);
-  const gjk2_collider first = put(&dot, 0, 0), last = put(&dot, 2, 0);
+  const gjk2_collider first = placed2(&dot, 0, 0), last = placed2(&dot, 2, 0);
   CHECK(gjk2_ground_within(&ground, &origin, &first, 0, &yes) == GJK_OK && yes);
   CHECK(gjk2_ground_within(&ground, &origin, &last, 0, &yes) == GJK_OK && yes);
 }
@@ -73,7 +67,7 @@ static void check_profiles(void) {
 // is that of the last.
 static void check_tie(void) {
   static const gjk2_vec roof[] = {{0, 0}, {-9 * ONE, -9 * ONE}, {9 * ONE, -9 * ONE}, {9 * ONE, 0}, {0, 0}};
-  const gjk2_collider ball = put(&disc, 0, 5 * ONE);
+  const gjk2_collider ball = placed2(&disc, 0, 5 * ONE);
   const gjk2_vec to = {0, 0};
   const gjk2_cast_path path = {NULL, &to, 0};
   gjk2_cast_result hit;
@@ -86,7 +80,7 @@ static void check_tie(void) {
 // A ball that passes a ridge by an LSB does not meet it. A ray that begins on the surface enters there.
 static void check_grazing(void) {
   static const gjk2_vec ridge[] = {{5 * ONE, -5 * ONE}, {0, 0}, {-5 * ONE, -5 * ONE}};
-  const gjk2_collider ball = put(&disc, -3 * ONE, ONE + 1), lower = put(&disc, -3 * ONE, ONE - 2);
+  const gjk2_collider ball = placed2(&disc, -3 * ONE, ONE + 1), lower = placed2(&disc, -3 * ONE, ONE - 2);
   const gjk2_vec to = {3 * ONE, ONE + 1}, lower_to = {3 * ONE, ONE - 2}, on = {-ONE, -ONE}, under = {-ONE, -2 * ONE};
   const gjk2_cast_path path = {NULL, &to, 0}, lower_path = {NULL, &lower_to, 0};
   gjk2_cast_result hit;
@@ -102,7 +96,7 @@ static void check_tangential(void) {
   static const gjk2_vec ridge[] = {{5 * ONE, -5 * ONE}, {0, 0}, {-5 * ONE, -5 * ONE}};
   const gjk2_vec to = {3 * ONE, ONE + 64};
   const gjk2_cast_path path = {NULL, &to, 64};
-  const gjk2_collider ball = put(&disc, -3 * ONE, ONE + 64);
+  const gjk2_collider ball = placed2(&disc, -3 * ONE, ONE + 64);
   gjk2_cast_result hit;
   uint32_t segment;
   make_chain(ridge, 3);
@@ -119,7 +113,7 @@ static void check_longest_way(void) {
   for (int back = 0; back < 4; back++) {
     const bool along_y = back >= 2, down = back % 2 != 0;
     const gjk_q16 first = down ? INT32_MAX : INT32_MIN, last = down ? INT32_MIN : INT32_MAX, aside = INT32_C(1) << 30;
-    const gjk2_collider point = along_y ? put(&dot, aside, first) : put(&dot, first, aside);
+    const gjk2_collider point = along_y ? placed2(&dot, aside, first) : placed2(&dot, first, aside);
     const gjk2_vec to = {along_y ? aside : last, along_y ? last : aside};
     gjk2_vec goes = {0, 0};
     const gjk2_cast_path path = {&goes, &to, 0};
@@ -138,7 +132,7 @@ static void check_far(void) {
   bool yes = false;
   make_chain(corner, 2);
   CHECK(gjk2_pose_apply(&turned, &corner[0], &at) == GJK_OK && at.y > GJK2_GROUND_REACH / 4 * 5);
-  const gjk2_collider point = put(&dot, at.x, at.y + 10);
+  const gjk2_collider point = placed2(&dot, at.x, at.y + 10);
   CHECK(gjk2_ground_within(&ground, &turned, &point, 20, &yes) == GJK_OK && yes);
 }
 
@@ -146,7 +140,7 @@ static void check_far(void) {
 // does not enter it.
 static void check_beside(void) {
   static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
-  const gjk2_collider ball = put(&disc, INT32_C(3) << 29, ONE);
+  const gjk2_collider ball = placed2(&disc, INT32_C(3) << 29, ONE);
   const gjk2_vec from = {3 * ONE, 0}, to = {-3 * ONE, 0};
   gjk2_distance_result gap;
   gjk2_cast_result hit;
@@ -228,7 +222,7 @@ static void check_no_forms(void) {
   static const uint8_t cells[] = {0, 1, 2, 3};
   static const gjk2_tiles grid = {cells, 2, 2, 4, 3, NULL};
   const gjk2_ground forged = {&gjk2_ground_tiles, &grid, {0, 0}};
-  const gjk2_collider ball = put(&disc, 0, 0);
+  const gjk2_collider ball = placed2(&disc, 0, 0);
   bool yes = true;
   CHECK(gjk2_ground_within(&forged, &origin, &ball, 0, &yes) == GJK_OK && !yes);
 }
@@ -239,7 +233,7 @@ static void check_no_data(void) {
   const gjk2_heights bare = {NULL, 5, ONE, 0};
   const gjk2_tiles formless = {cells, 1, 1, ONE, 1, NULL};
   const gjk2_ground made[] = {{&gjk2_ground_heights, &bare, {0, 0}}, {&gjk2_ground_tiles, &formless, {0, 0}}};
-  const gjk2_collider ball = put(&disc, ONE, ONE);
+  const gjk2_collider ball = placed2(&disc, ONE, ONE);
   for (int i = 0; i < 2; i++) {
     bool yes = true;
     CHECK(gjk2_ground_within(&made[i], &origin, &ball, ONE, &yes) == GJK_OK && !yes);
@@ -256,7 +250,7 @@ static void check_largest_grids(void) {
     grid.columns = along_x ? 4095 : 1;
     grid.rows = along_x ? 1 : 4095;
     CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_OK);
-    const gjk2_collider ball = put(&disc, grid.columns * grid.size / 2, grid.rows * grid.size + ONE);
+    const gjk2_collider ball = placed2(&disc, grid.columns * grid.size / 2, grid.rows * grid.size + ONE);
     CHECK(gjk2_ground_within(&ground, &origin, &ball, 0, &yes) == GJK_OK && yes);
     *(along_x ? &grid.columns : &grid.rows) = 4096;
     CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_ERROR_SIZE);
@@ -268,7 +262,7 @@ static void check_far_distance(void) {
   static const gjk2_vec corner[] = {{GJK2_GROUND_REACH - ONE, GJK2_GROUND_REACH},
                                     {GJK2_GROUND_REACH, GJK2_GROUND_REACH - ONE}};
   const gjk2_pose turned = {{0, 0}, {759250125, 759250125}};
-  const gjk2_collider point = put(&dot, 0, 0);
+  const gjk2_collider point = placed2(&dot, 0, 0);
   gjk2_distance_result gap;
   uint32_t segment;
   bool found = false;
@@ -308,12 +302,12 @@ static void check_line_casts(void) {
                           {i % 3 != 0 ? GJK_Q30_ONE : 0, i % 3 != 0 ? 0 : GJK_Q30_ONE}};
     const gjk2_vec to = {at.position.x + (i % 4 != 0 ? random_range(&r, -6, 6) : 0), random_range(&r, -12, 12)};
     const gjk2_cast_path path = {NULL, &to, random_range(&r, 0, 2)};
-    gjk2_collider line, body;
+    gjk2_collider line;
     gjk2_cast_result hit, expected;
     if (same_vec(p, q)) {
       continue;
     }
-    CHECK(gjk2_collider_init(&body, &bodies[i % 4], NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &at) == GJK_OK);
+    const gjk2_collider body = posed2(&bodies[i % 4], &at);
     gjk2_line_collider(p, q, &line);
     CHECK(gjk2_line_cast(&line, &body, &path, &hit) == GJK_OK && gjk2_cast(&line, &body, &path, &expected) == GJK_OK);
     CHECK_MSG(same_hit(&hit, &expected), "%d", i);

@@ -6,6 +6,7 @@
 #include "gjk2/impact.h"
 #include "gjk2/probe.h"
 #include "gjk2/slide.h"
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2312
@@ -76,16 +77,14 @@ typedef struct stage {
 static stage whole, retested, sliced, copied;
 
 static gjk2_scene_bindings bindings_of(stage *s) {
-  const gjk2_scene_bindings b = {
+  return (gjk2_scene_bindings){
       .details = &gjk2_scene_contacts, .manifolds = s->manifolds, .motion = &gjk2_scene_motion};
-  return b;
 }
 
 static gjk2_pose any_pose(random_state *r, int32_t spread) {
   gjk2_pose pose;
   pose.rotation = plane_random_rotation(r);
-  pose.position.x = random_range(r, -spread, spread);
-  pose.position.y = random_range(r, -spread, spread);
+  pose.position = plane_random_vec(r, spread);
   return pose;
 }
 
@@ -219,15 +218,14 @@ static void check_reports(const stage *s, gjk_q16 margin, uint8_t detail) {
 
 // Rays, casts and the nearest part see the ground as its queries do.
 static void check_probes(random_state *r, const stage *s, int32_t spread) {
-  gjk2_collider probe;
   const gjk2_pose at = any_pose(r, spread);
-  const gjk2_vec to = {random_range(r, -spread, spread), random_range(r, -spread, spread)};
+  const gjk2_vec to = plane_random_vec(r, spread);
   const gjk2_cast_path path = {NULL, &to, 0};
   gjk_scene_hit hit;
   gjk2_cast_result result, of_ground;
   bool found, expected = false;
   gjk_q30 first = 0;
-  CHECK(gjk2_collider_init(&probe, &mover[0].shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&probe, &at) == GJK_OK);
+  const gjk2_collider probe = posed2(&mover[0].shape, &at);
   for (int ray = 0; ray < 2; ray++) {
     expected = false;
     CHECK((ray ? gjk2_scene_cast_ray(&s->scene, &at.position, &to, NULL, &hit, &result, &found)
@@ -256,13 +254,12 @@ static void check_probes(random_state *r, const stage *s, int32_t spread) {
 // Overlap queries and the nearest part see the ground, too.
 static void check_overlaps(random_state *r, const stage *s, int32_t spread) {
   gjk_scene_hit hits[GROUNDS + MOVERS], nearest;
-  gjk2_collider probe;
   uint32_t count = 0;
   gjk_q16 distance = 0, least = INT32_MAX;
   bool found;
   const gjk2_pose at = any_pose(r, spread);
   const gjk_q16 reach = random_range(r, 0, spread / 8);
-  CHECK(gjk2_collider_init(&probe, &mover[1].shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&probe, &at) == GJK_OK);
+  const gjk2_collider probe = posed2(&mover[1].shape, &at);
   CHECK(gjk2_scene_query_within(&s->scene, &probe, reach, NULL, NULL, hits, GROUNDS + MOVERS, &count) == GJK_OK);
   CHECK(gjk2_scene_query_nearest(&s->scene, &probe, INT32_MAX, NULL, &nearest, &distance, &found) == GJK_OK && found);
   for (unsigned g = 0; g < GROUNDS; g++) {
@@ -412,7 +409,6 @@ static void ride_flat(random_state *r, bool one_way) {
         const int32_t start = direction > 0 ? GJK_Q16(3) : GJK_Q16(LENGTH - 3);
         const int32_t sunk = (int32_t)random_below(r, 3) * 40;
         gjk2_pose at = GJK2_POSE_IDENTITY;
-        gjk2_collider c;
         at.position.x = start + random_range(r, 0, 60000);
         at.position.y = GJK_Q16(2.3) - sunk;
         set_level(&whole, &riders[rider], &at, true);
@@ -446,7 +442,7 @@ static void ride_flat(random_state *r, bool one_way) {
         CHECK(gjk2_scene_remove(&whole.scene, whole.mover[0]) == GJK_OK);
         at.position.x = start;
         at.position.y = GJK_Q16(2.3) + 64 + 10;
-        CHECK(gjk2_collider_init(&c, &riders[rider], NULL, 0) == GJK_OK && gjk2_collider_pose(&c, &at) == GJK_OK);
+        gjk2_collider c = posed2(&riders[rider], &at);
         for (int tick = 0; tick < 200; tick++) {
           gjk2_slide_result slid;
           const gjk2_vec to = {c.position.x + direction * speeds[k], c.position.y - (tick % 2)};
@@ -493,13 +489,12 @@ static void ride_hills(random_state *r) {
   }
   for (unsigned rider = 0; rider < 2; rider++) {
     gjk2_pose at = GJK2_POSE_IDENTITY;
-    gjk2_collider c;
     unsigned moved = 0;
     at.position.x = GJK_Q16(1);
     at.position.y = GJK_Q16(2.6);
     set_level(&whole, &riders[rider], &at, false);
     CHECK(gjk2_scene_remove(&whole.scene, whole.mover[0]) == GJK_OK);
-    CHECK(gjk2_collider_init(&c, &riders[1], NULL, 0) == GJK_OK && gjk2_collider_pose(&c, &at) == GJK_OK);
+    gjk2_collider c = posed2(&riders[1], &at);
     const int32_t speed = random_range(r, 3000, 30000);
     while (c.position.x < GJK_Q16(LENGTH - 30) && moved < 30000) {
       gjk2_slide_result slid;
@@ -524,7 +519,6 @@ static void ride_hills(random_state *r) {
 static void jump_through(void) {
   gjk2_pose at = GJK2_POSE_IDENTITY;
   gjk2_cast_result hit;
-  gjk2_collider c;
   gjk_scene_hit part;
   bool found;
   memset(level_cells, 0, sizeof level_cells);
@@ -534,7 +528,7 @@ static void jump_through(void) {
   at.position.x = GJK_Q16(15);
   at.position.y = GJK_Q16(0.5);
   set_level(&whole, &riders[0], &at, true);
-  CHECK(gjk2_collider_init(&c, &riders[0], NULL, 0) == GJK_OK && gjk2_collider_pose(&c, &at) == GJK_OK);
+  gjk2_collider c = posed2(&riders[0], &at);
   CHECK(gjk2_scene_remove(&whole.scene, whole.mover[0]) == GJK_OK);
   const gjk2_vec top = {GJK_Q16(15), GJK_Q16(4)};
   CHECK(gjk2_scene_cast(&whole.scene, &c, &top, 0, NULL, &part, &hit, &found) == GJK_OK && !found);

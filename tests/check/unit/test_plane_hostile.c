@@ -31,12 +31,10 @@ static void check_tiny(random_state *r, plane_body *pair) {
     const int32_t size = random_range(r, 1, 6);
     uint16_t count = (uint16_t)random_range(r, 3, 12);
     for (int k = 0; k < count; k++) {
-      pair[i].vertices[k].x = random_range(r, -size, size);
-      pair[i].vertices[k].y = random_range(r, -size, size);
+      pair[i].vertices[k] = plane_random_vec(r, size);
     }
     CHECK(gjk2_polygon_order(pair[i].vertices, count, pair[i].vertices, &count) == GJK_OK);
-    const gjk2_shape polygon = GJK2_POLYGON(pair[i].vertices, count);
-    pair[i].shape = polygon;
+    pair[i].shape = (gjk2_shape)GJK2_POLYGON(pair[i].vertices, count);
     pair[i].pose.position.x = i * random_range(r, -6, 6);
     pair[i].pose.position.y = 0;
   }
@@ -57,12 +55,10 @@ static void check_tiny(random_state *r, plane_body *pair) {
 
 // One to three iterations, and an error allowed: bounds of the exact answer; the same with any cache.
 static void check_efforts(random_state *r, const gjk2_collider *a, const gjk2_collider *b) {
-  gjk2_distance_result full, part, again;
+  gjk2_distance_result full, part = {0}, again = {0};
   gjk2_within_result within;
   gjk2_cache cache;
   CHECK(gjk2_distance(a, b, NULL, &full) == GJK_OK);
-  memset(&part, 0, sizeof part);
-  memset(&again, 0, sizeof again);
   for (uint8_t n = 1; n <= 6; n++) {
     const gjk2_effort effort = {n < 4 ? n : 0, n < 4 ? 0 : (gjk_q16)(1 << (4 * n - 8))};
     random_cache(r, &cache);
@@ -99,11 +95,10 @@ static void check_far(random_state *r, plane_body *pair) {
     pair[i].pose.position.x = 0;
     pair[i].pose.position.y = 0;
     plane_place(&pair[i], true);
-    const gjk2_vec end = {random_below(r, 4) == 0   ? INT32_MAX
-                          : random_below(r, 3) == 0 ? INT32_MIN
-                                                    : (int32_t)random_u32(r),
-                          random_below(r, 4) == 0 ? INT32_MIN : (int32_t)random_u32(r)};
-    pair[i].pose.position = end;
+    pair[i].pose.position = (gjk2_vec){random_below(r, 4) == 0   ? INT32_MAX
+                                       : random_below(r, 3) == 0 ? INT32_MIN
+                                                                 : (int32_t)random_u32(r),
+                                       random_below(r, 4) == 0 ? INT32_MIN : (int32_t)random_u32(r)};
     if (gjk2_collider_pose(&pair[i].collider, &pair[i].pose) != GJK_OK) {
       return;
     }
@@ -152,13 +147,12 @@ static void check_far(random_state *r, plane_body *pair) {
 }
 
 static void check_refused(const gjk2_collider *a, const gjk2_collider *b) {
-  gjk2_collider raw;
+  gjk2_collider raw = {0};
   gjk2_decision yes;
   gjk2_within_result within;
   gjk2_distance_result line;
   gjk2_penetration_result depth;
   const gjk2_effort effort = {0, -1};
-  memset(&raw, 0, sizeof raw);
   memset(&yes, 1, sizeof yes);
   memset(&line, 1, sizeof line);
   memset(&depth, 1, sizeof depth);

@@ -39,9 +39,8 @@ static real_pose real_at(const gjk2_motion *m, long double s) {
     turn = atan2l(m->to.rotation.s, m->to.rotation.c) - from;
     turn -= whole * roundl(turn / whole);
   }
-  const real_pose p = {m->from.position.x + s * ((long double)m->to.position.x - m->from.position.x),
-                       m->from.position.y + s * ((long double)m->to.position.y - m->from.position.y), from + s * turn};
-  return p;
+  return (real_pose){m->from.position.x + s * ((long double)m->to.position.x - m->from.position.x),
+                     m->from.position.y + s * ((long double)m->to.position.y - m->from.position.y), from + s * turn};
 }
 
 // The distance of the point (x, y) from an ellipse about the origin; 0 inside. The foot is (x a^2 / (t + a^2), ...) for
@@ -130,16 +129,14 @@ static void random_motions(random_state *r, curved_case *c, int32_t size) {
     gjk2_motion *m = &c->motion[i];
     m->from.rotation = plane_random_rotation(r);
     m->to.rotation = random_below(r, 3) == 0 ? m->from.rotation : plane_random_rotation(r);
-    m->from.position.x = random_range(r, -4 * size, 4 * size);
-    m->from.position.y = random_range(r, -4 * size, 4 * size);
+    m->from.position = plane_random_vec(r, 4 * size);
     if (m->to.rotation.c == -m->from.rotation.c && m->to.rotation.s == -m->from.rotation.s) {
       m->to.rotation = m->from.rotation;  // half a turn: either way round
     }
     m->to.position = m->from.position;
     m->spin = random_below(r, 3) == 0 ? random_range(r, -1000000, 1000000) : 0;
     if (random_below(r, 4) != 0) {
-      m->to.position.x = random_range(r, -4 * size, 4 * size);
-      m->to.position.y = random_range(r, -4 * size, 4 * size);
+      m->to.position = plane_random_vec(r, 4 * size);
     }
   }
   if (random_below(r, 2) == 0) {  // through A
@@ -158,10 +155,8 @@ static void test_ellipses(random_state *r) {
     check_trial(i, print_case, &c);
     const int32_t size = sizes[random_below(r, 4)];
     const gjk_q16 x = random_range(r, size / 4, size), y = random_range(r, 1 + size / 20, size);
-    const gjk2_shape ellipse = GJK2_ROUNDED_ELLIPSE(x, y, random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4)),
-                     circle = GJK2_CIRCLE(random_range(r, 0, size));
-    c.shape[0] = ellipse;
-    c.shape[1] = circle;
+    c.shape[0] = (gjk2_shape)GJK2_ROUNDED_ELLIPSE(x, y, random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4));
+    c.shape[1] = (gjk2_shape)GJK2_CIRCLE(random_range(r, 0, size));
     random_motions(r, &c, size);
     check_impact(r, &c, gap_of_circle, 9);
   }
@@ -185,14 +180,11 @@ static void test_custom(random_state *r) {
     check_trial(i, print_case, &c);
     const int32_t size = sizes[random_below(r, 4)];
     for (int k = 0; k < 4; k++) {
-      c.corners[k].x = random_range(r, -size, size);
-      c.corners[k].y = random_range(r, -size, size);
+      c.corners[k] = plane_random_vec(r, size);
     }
-    const gjk2_shape custom = GJK2_ROUNDED_CUSTOM(support_corners, c.corners, size + size / 2,
-                                                  random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4)),
-                     box = GJK2_BOX(random_range(r, 0, size), random_range(r, 1, size));
-    c.shape[0] = custom;
-    c.shape[1] = box;
+    c.shape[0] = (gjk2_shape)GJK2_ROUNDED_CUSTOM(support_corners, c.corners, size + size / 2,
+                                                 random_below(r, 2) == 0 ? 0 : random_range(r, 0, size / 4));
+    c.shape[1] = (gjk2_shape)GJK2_BOX(random_range(r, 0, size), random_range(r, 1, size));
     random_motions(r, &c, size);
     check_impact(r, &c, gap_of_polygons, 12);
   }
@@ -220,9 +212,8 @@ static void test_lies(random_state *r) {
     gjk2_impact_result out;
     check_trial(i, print_case, &c);
     bound = random_range(r, 100, 200000);
-    const gjk2_shape liar = GJK2_CUSTOM(support_lying, &bound, bound), box = GJK2_BOX(bound / 3, bound / 5);
-    c.shape[0] = liar;
-    c.shape[1] = box;
+    c.shape[0] = (gjk2_shape)GJK2_CUSTOM(support_lying, &bound, bound);
+    c.shape[1] = (gjk2_shape)GJK2_BOX(bound / 3, bound / 5);
     random_motions(r, &c, bound);
     const gjk_status status = ask(&c, &out);
     CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);

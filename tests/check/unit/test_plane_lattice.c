@@ -69,8 +69,7 @@ static void add_shape(const plane_point *corner, int count, int step) {
     s->vertices[i].x = (gjk_q16)p->x;
     s->vertices[i].y = (gjk_q16)p->y;
   }
-  const gjk2_shape polygon = GJK2_POLYGON(s->vertices, (uint16_t)count);
-  s->shape = polygon;
+  s->shape = (gjk2_shape)GJK2_POLYGON(s->vertices, (uint16_t)count);
   CHECK(gjk2_collider_init(&s->collider, &s->shape, s->buffer, CORNERS_MAX) == GJK_OK);
   CHECK(gjk2_collider_pose(&s->collider, &identity) == GJK_OK);
 }
@@ -184,11 +183,10 @@ static bool check_offset(const lattice_shape *a, gjk2_collider *b, int x, int y,
 static void check_shapes(const lattice_shape *a, const lattice_shape *b, int reach) {
   static axis axes[2 + 2 * (CORNERS_MAX + 2)];
   gjk2_collider moved = b->collider;
-  gjk2_cache cache;
+  gjk2_cache cache = {0};
   ceiling *c = &most[a->count][b->count];
   const int count = find_axes(a, b, axes);
   bool right = true;
-  memset(&cache, 0, sizeof cache);
   for (int x = -reach; x <= reach; x++) {
     for (int y = -reach; y <= reach; y++) {
       right = check_offset(a, &moved, x, y, !is_apart(axes, count, x, y), &cache, c) && right;

@@ -1,6 +1,5 @@
 // The plane: hulls, the check of outlines, mass properties of shapes and of bodies of several parts.
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "exact/integer.h"
@@ -24,25 +23,6 @@ static void print_points(const void *subject) {
   }
 }
 
-static exact_int product(int64_t a, int64_t b) {
-  const exact_int x = exact_from(a), y = exact_from(b);
-  return exact_mul(&x, &y);
-}
-
-static void add_to(exact_int *sum, exact_int x) {
-  *sum = exact_add(sum, &x);
-}
-
-// Is value = floor(scale x / y + half / 2), with y > 0?
-static bool is_rounded(int64_t value, exact_int x, exact_int y, int64_t scale, int half) {
-  const exact_int twice_scale = exact_from(2 * scale), offset = exact_from(half), low = exact_from(2 * value),
-                  high = exact_from(2 * (value + 1));
-  exact_int middle = exact_mul(&x, &twice_scale);
-  const exact_int shift = exact_mul(&y, &offset), below = exact_mul(&y, &low), above = exact_mul(&y, &high);
-  middle = exact_add(&middle, &shift);
-  return exact_compare(&below, &middle) <= 0 && exact_compare(&middle, &above) < 0;
-}
-
 // Triangles from the frame's origin, which may be far outside: any int32_t.
 static void check_polygon(const gjk2_hull *hull) {
   const gjk2_shape shape = GJK2_POLYGON(corner, hull->vertices);
@@ -56,19 +36,19 @@ static void check_polygon(const gjk2_hull *hull) {
   exact_int s = exact_from(0), f[2] = {exact_from(0), exact_from(0)}, q = exact_from(0);
   for (unsigned i = 0; i < hull->vertices; i++) {
     const gjk2_vec a = corner[i], b = corner[(i + 1) % hull->vertices];
-    exact_int w = product(a.x, b.y), x = exact_from((int64_t)a.x + b.x), y = exact_from((int64_t)a.y + b.y),
+    exact_int w = exact_product(a.x, b.y), x = exact_from((int64_t)a.x + b.x), y = exact_from((int64_t)a.y + b.y),
               v = exact_mul(&x, &x);
-    const exact_int minus = product(a.y, b.x);
+    const exact_int minus = exact_product(a.y, b.x);
     w = exact_sub(&w, &minus);
-    add_to(&s, w);
-    add_to(&f[0], exact_mul(&w, &x));
-    add_to(&f[1], exact_mul(&w, &y));
-    add_to(&v, exact_mul(&y, &y));
-    add_to(&v, product(a.x, a.x));
-    add_to(&v, product(a.y, a.y));
-    add_to(&v, product(b.x, b.x));
-    add_to(&v, product(b.y, b.y));
-    add_to(&q, exact_mul(&w, &v));
+    exact_add_to(&s, w);
+    exact_add_to(&f[0], exact_mul(&w, &x));
+    exact_add_to(&f[1], exact_mul(&w, &y));
+    exact_add_to(&v, exact_mul(&y, &y));
+    exact_add_to(&v, exact_product(a.x, a.x));
+    exact_add_to(&v, exact_product(a.y, a.y));
+    exact_add_to(&v, exact_product(b.x, b.x));
+    exact_add_to(&v, exact_product(b.y, b.y));
+    exact_add_to(&q, exact_mul(&w, &v));
   }
   const exact_int two = exact_from(2), three = exact_from(3), four = exact_from(4), n36 = exact_from(36);
   exact_int all = exact_mul(&s, &three), whole = exact_mul(&s, &s), inertia = exact_mul(&s, &q);
@@ -81,11 +61,11 @@ static void check_polygon(const gjk2_hull *hull) {
   }
   const exact_int twice = exact_from((int64_t)hull->twice_area);
   CHECK(exact_compare(&s, &twice) == 0);
-  CHECK(is_rounded((int64_t)m.area, s, two, 1, 1));
-  CHECK(is_rounded(m.centre.x, f[0], all, 1, 1) && is_rounded(m.centre.y, f[1], all, 1, 1));
-  CHECK(is_rounded(m.centre.x * INT64_C(65536) + m.fraction[0], f[0], all, 65536, 0));
-  CHECK(is_rounded(m.centre.y * INT64_C(65536) + m.fraction[1], f[1], all, 65536, 0));
-  CHECK(is_rounded(m.inertia, inertia, whole, 1, 1));
+  CHECK(exact_is_rounded((int64_t)m.area, s, two, 1, 1));
+  CHECK(exact_is_rounded(m.centre.x, f[0], all, 1, 1) && exact_is_rounded(m.centre.y, f[1], all, 1, 1));
+  CHECK(exact_is_rounded(m.centre.x * INT64_C(65536) + m.fraction[0], f[0], all, 65536, 0));
+  CHECK(exact_is_rounded(m.centre.y * INT64_C(65536) + m.fraction[1], f[1], all, 65536, 0));
+  CHECK(exact_is_rounded(m.inertia, inertia, whole, 1, 1));
   CHECK(m.mass == 0);
 }
 
@@ -252,9 +232,8 @@ static void test_refusals(void) {
   const gjk2_shape square = GJK2_POLYGON(v, 4), rod = GJK2_TRIANGLE(line), other = GJK2_TRIANGLE(turned),
                    none = GJK2_POLYGON(v, 0), large = GJK2_ROUNDED_BOX(GJK2_RADIUS_MAX, 0, 1),
                    negative = GJK2_BOX(-1, 0), minus = GJK2_CIRCLE(-1);
-  gjk2_mass m, body;
+  gjk2_mass m, body = {0};
   gjk2_pose pose = GJK2_POSE_IDENTITY;
-  memset(&body, 0, sizeof body);
   for (int i = 0; i < 4; i++) {
     CHECK(gjk2_mass_of_shape(&refused[i], &m) == GJK_ERROR_UNSUPPORTED);
   }
@@ -304,10 +283,9 @@ static void test_bodies(uint64_t seed) {
   random_state random = random_seed(seed + 5);
   for (unsigned long trial = 0; trial < 5000; trial++) {
     const int32_t reach = INT32_C(1) << random_below(&random, 29), size = INT32_C(1) << random_below(&random, 27);
-    gjk2_mass body;
+    gjk2_mass body = {0};
     real mass = 0, first[2] = {0, 0}, second = 0, span = 2 * (real)reach + 4 * (real)size;
     int parts = 1 + (int)random_below(&random, 6);
-    memset(&body, 0, sizeof body);
     check_trial(trial, NULL, NULL);
     for (int i = 0; i < parts; i++) {
       const gjk2_vec v[3] = {

@@ -28,8 +28,7 @@ static int32_t any_number(random_state *random) {
 }
 
 static gjk2_vec any_vector(random_state *random) {
-  const gjk2_vec v = {any_number(random), any_number(random)};
-  return v;
+  return (gjk2_vec){any_number(random), any_number(random)};
 }
 
 static int64_t within(wide x, int64_t low, int64_t high) {
@@ -120,8 +119,7 @@ static gjk2_rotation any_rotation(random_state *random) {
   gjk2_rotation unit = {GJK_Q30_ONE, 0};
   (void)gjk2_rotation_from_angle(any_number(random), &unit);
   const long double scale = 1 + random_range(random, -8000, 8000) / ONE;
-  const gjk2_rotation r = {(gjk_q30)(unit.c * scale), (gjk_q30)(unit.s * scale)};
-  return r;
+  return (gjk2_rotation){(gjk_q30)(unit.c * scale), (gjk_q30)(unit.s * scale)};
 }
 
 static struct {

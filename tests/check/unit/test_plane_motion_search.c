@@ -82,13 +82,8 @@ static void make_thin(random_state *random, gjk_q16 half, plane_body *out) {
   out->pose.position.x = out->pose.position.y = 0;
 }
 
-static gjk2_vec spread(random_state *random, int32_t most) {
-  const gjk2_vec v = {random_range(random, -most, most), random_range(random, -most, most)};
-  return v;
-}
-
 static void make_motions(random_state *random, trial *t, gjk_q16 half) {
-  const gjk2_vec away = spread(random, half + half / 2), aim = spread(random, half);
+  const gjk2_vec away = plane_random_vec(random, half + half / 2), aim = plane_random_vec(random, half);
   const int32_t times = t->family == FAST ? 1 + (int32_t)random_below(random, 20) : 1;
   t->pair[1].pose.position = away;
   for (int i = 0; i < 2; i++) {

@@ -1,6 +1,7 @@
 // What is refused in the plane, and what only rare input reaches: missing arguments, shapes at their limits, forged
 // certificates of each kind, the largest depths, hulls without area, ends of the world, far pairs with few iterations.
 #include "filled.h"
+#include "placed2.h"
 #include "plane.h"
 
 #define SEED 2015
@@ -10,14 +11,6 @@
 static unsigned long grown, far_open, enclosing[2];
 
 static const gjk2_pose identity = GJK2_POSE_IDENTITY;
-
-static void place_at(gjk2_collider *c, const gjk2_shape *shape, int32_t x, int32_t y) {
-  gjk2_pose pose = identity;
-  pose.position.x = x;
-  pose.position.y = y;
-  memset(c, 0, sizeof *c);
-  CHECK(gjk2_collider_init(c, shape, NULL, 0) == GJK_OK && gjk2_collider_pose(c, &pose) == GJK_OK);
-}
 
 static void check_poses(void) {
   const gjk2_rotation turned = {0, GJK_Q30_ONE}, bent = {GJK_Q30_ONE, GJK_Q30_ONE}, diagonal = {759250125, 759250125};
@@ -90,7 +83,7 @@ static void check_shapes(void) {
   CHECK(memcmp(&c, &before, sizeof c) == 0);
   CHECK(gjk2_polygon_order(wide, 3, hull, &corners) == GJK_ERROR_SIZE && corners == 9);
   CHECK(gjk2_polygon_order(high, 3, hull, &corners) == GJK_ERROR_SIZE && corners == 9);
-  place_at(&c, &good, 0, 0);
+  c = placed2(&good, 0, 0);
   const gjk2_vec out = {0, INT32_MAX};
   CHECK(gjk2_collider_pose(NULL, &identity) == GJK_ERROR_NULL);
   CHECK(gjk2_collider_move(NULL, &out) == GJK_ERROR_NULL && gjk2_collider_move(&c, NULL) == GJK_ERROR_NULL);
@@ -105,8 +98,8 @@ static void check_custom_point(void) {
   const gjk2_shape still = GJK2_CUSTOM(support_still, NULL, 0), ball = GJK2_CIRCLE(50);
   gjk2_collider a, b;
   gjk2_distance_result out;
-  place_at(&a, &still, 0, 0);
-  place_at(&b, &ball, 300, 400);
+  a = placed2(&still, 0, 0);
+  b = placed2(&ball, 300, 400);
   CHECK(gjk2_distance(&a, &b, NULL, &out) == GJK_OK);
   CHECK_MSG(out.distance >= 448 && out.distance <= 452, "%d", out.distance);
 }
@@ -114,12 +107,11 @@ static void check_custom_point(void) {
 static void check_queries(void) {
   const gjk2_shape ball = GJK2_CIRCLE(10);
   const gjk2_effort effort = {0, 0};
-  gjk2_collider c, raw;
+  gjk2_collider c, raw = {0};
   gjk2_decision yes;
   gjk2_distance_result line;
   gjk2_manifold manifold;
-  place_at(&c, &ball, 0, 0);
-  memset(&raw, 0, sizeof raw);
+  c = placed2(&ball, 0, 0);
   memset(&line, POISON, sizeof line);
   memset(&yes, POISON, sizeof yes);
   memset(&manifold, POISON, sizeof manifold);
@@ -136,7 +128,7 @@ static void check_queries(void) {
   gjk2_collider other;
   gjk2_within_result within;
   const gjk2_effort many = {250, 0};
-  place_at(&other, &ball, 100, 0);
+  other = placed2(&ball, 100, 0);
   CHECK(gjk2_distance_until(&c, &other, &many, NULL, &line) == GJK_OK && line.distance == 80);
   CHECK(gjk2_within_until(&c, &other, 80, 250, NULL, &within) == GJK_OK && within.answer == GJK2_ANSWER_YES);
   CHECK(gjk2_within_until(&c, &other, 79, 250, NULL, &within) == GJK_OK && within.answer == GJK2_ANSWER_NO);
@@ -150,8 +142,8 @@ static void check_wide_contacts(void) {
   gjk2_manifold m;
   for (int side = 0; side < 4; side++) {
     const int32_t by = side % 2 == 0 ? apart : -apart;
-    place_at(&a, &large, 7, 8);
-    place_at(&b, &large, 7 + (side < 2 ? by : 0), 8 + (side < 2 ? 0 : by));
+    a = placed2(&large, 7, 8);
+    b = placed2(&large, 7 + (side < 2 ? by : 0), 8 + (side < 2 ? 0 : by));
     CHECK(gjk2_contacts(&a, &b, GJK_Q16(4.0), 2, NULL, &m) == GJK_OK);
     CHECK(m.count == 1 && m.contact[0].distance == GJK_Q16(3.0) && m.contact[0].id == 0);
     CHECK(m.feature_a == 0 && m.feature_b == 0);
@@ -164,8 +156,8 @@ static void check_forged_distances(void) {
   const gjk2_shape box = GJK2_BOX(5000, 3000), rounded = GJK2_ROUNDED_BOX(5000, 3000, 600);
   gjk2_collider a, b;
   gjk2_distance_result right, forged;
-  place_at(&a, &box, 0, 0);
-  place_at(&b, &box, 11000, 100);
+  a = placed2(&box, 0, 0);
+  b = placed2(&box, 11000, 100);
   CHECK(gjk2_distance(&a, &b, NULL, &right) == GJK_OK && right.distance == 1000);
   CHECK(gjk2_check_distance(&a, &b, &right) == GJK_OK);
   const int32_t far = INT32_C(1) << 30, most = GJK_Q30_ONE + 5;
@@ -193,8 +185,8 @@ static void check_forged_distances(void) {
     CHECK_MSG(gjk2_check_distance(&a, &b, &forged) == GJK_ERROR_UNPROVEN, "%d", i);
   }
   // Cores that are nearer than the convex radii, said to be apart, by a feature that is the nearest.
-  place_at(&a, &rounded, 0, 0);
-  place_at(&b, &rounded, 11000, 100);
+  a = placed2(&rounded, 0, 0);
+  b = placed2(&rounded, 11000, 100);
   gjk2_distance_result together;
   CHECK(gjk2_distance(&a, &b, NULL, &together) == GJK_OK && together.intersecting);
   CHECK(gjk2_check_distance(&a, &b, &together) == GJK_OK);
@@ -208,8 +200,7 @@ static void check_forged_distances(void) {
   forged.point_a.x = forged.point_b.x = 5500;
   CHECK(gjk2_check_distance(&a, &b, &forged) == GJK_ERROR_UNPROVEN);
   // A direction proves nothing about distances that leave int32 with the radii.
-  gjk2_decision decision;
-  memset(&decision, 0, sizeof decision);
+  gjk2_decision decision = {0};
   decision.certificate.proof = GJK2_PROOF_DIRECTION;
   decision.certificate.direction.x = 1;
   CHECK(gjk2_check_decision(&a, &b, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
@@ -219,10 +210,9 @@ static void check_forged_depths(void) {
   const gjk2_shape box = GJK2_BOX(5000, 3000), rounded = GJK2_ROUNDED_BOX(5000, 3000, 600), point = GJK2_POINT;
   const gjk2_shape segment = GJK2_SEGMENT(1000);
   gjk2_collider a, b;
-  gjk2_penetration_result right, forged;
-  memset(&right, 0, sizeof right);
-  place_at(&a, &box, 0, 0);
-  place_at(&b, &box, 9000, 100);
+  gjk2_penetration_result right = {0}, forged;
+  a = placed2(&box, 0, 0);
+  b = placed2(&box, 9000, 100);
   CHECK(gjk2_penetration(&a, &b, NULL, &right) == GJK_OK && right.depth == 1000);
   CHECK(gjk2_check_penetration(&a, &b, &right) == GJK_OK);
   forged = right;
@@ -254,17 +244,17 @@ static void check_forged_depths(void) {
   // Far apart, said to overlap; near, but beyond the radii, by a feature that is the nearest.
   gjk2_collider c, d;
   gjk2_distance_result gap;
-  place_at(&c, &rounded, 100000, 0);
+  c = placed2(&rounded, 100000, 0);
   CHECK(gjk2_check_penetration(&a, &c, &right) == GJK_ERROR_UNPROVEN);
-  place_at(&c, &rounded, 0, 0);
-  place_at(&d, &rounded, 11300, 100);
+  c = placed2(&rounded, 0, 0);
+  d = placed2(&rounded, 11300, 100);
   CHECK(gjk2_distance(&c, &d, NULL, &gap) == GJK_OK && gap.distance == 100);
   forged = right;
   forged.certificate = gap.certificate;
   forged.depth = forged.lower = forged.upper = 0;
   CHECK(gjk2_check_penetration(&c, &d, &forged) == GJK_ERROR_UNPROVEN);
   // Two points in the same place: any line through them, but no direction that is none or too long.
-  place_at(&c, &point, 5, 5);
+  c = placed2(&point, 5, 5);
   CHECK(gjk2_penetration(&c, &c, NULL, &right) == GJK_OK && right.certificate.proof == GJK2_PROOF_LINE);
   CHECK(gjk2_check_penetration(&c, &c, &right) == GJK_OK);
   for (int i = 0; i < 4; i++) {
@@ -274,8 +264,8 @@ static void check_forged_depths(void) {
     CHECK(gjk2_check_penetration(&c, &c, &forged) == GJK_ERROR_UNPROVEN);  // nor another normal's
   }
   // Boxes that share a corner: a line through it that cuts them.
-  place_at(&a, &box, 0, 0);
-  place_at(&b, &box, 10000, 6000);
+  a = placed2(&box, 0, 0);
+  b = placed2(&box, 10000, 6000);
   CHECK(gjk2_penetration(&a, &b, NULL, &right) == GJK_OK && right.depth == 0);
   accepted = 0;
   for (uint16_t i = 0; i < 16; i++) {
@@ -297,8 +287,8 @@ static void check_forged_depths(void) {
   CHECK(accepted == 1);
   // Segments in a line but apart, in both orders: an edge of height 0 that the origin is beyond.
   for (int side = -1; side <= 1; side += 2) {
-    place_at(&a, &segment, 0, 0);
-    place_at(&b, &segment, side * 2500, 0);
+    a = placed2(&segment, 0, 0);
+    b = placed2(&segment, side * 2500, 0);
     CHECK(gjk2_penetration(&a, &b, NULL, &right) == GJK_OK && !right.intersecting);
     CHECK(gjk2_check_penetration(&a, &b, &right) == GJK_OK);
     CHECK(gjk2_signed_distance(&a, &b, NULL, &gap) == GJK_OK && gap.distance == 500);
@@ -323,16 +313,15 @@ static void check_enclosing(void) {
   gjk2_collider a, b;
   plane_point v[PLANE_VERTICES];
   const plane_point origin = {0, 0};
-  place_at(&a, &box, 0, 0);
+  a = placed2(&box, 0, 0);
   for (int at = 0; at < 4; at++) {
     const gjk2_vec places[4] = {{0, 10}, {10, 10}, {3, 2}, {-10, 0}};
-    place_at(&b, &point, places[at].x, places[at].y);
+    b = placed2(&point, places[at].x, places[at].y);
     CHECK(plane_vertices(&a, v) == 4);
     for (int i = 0; i < 64; i++) {
       const int of[3] = {i & 3, i >> 2 & 3, i >> 4};
       plane_point w[3];
-      gjk2_decision decision;
-      memset(&decision, 0, sizeof decision);
+      gjk2_decision decision = {0};
       decision.yes = true;
       decision.certificate.proof = GJK2_PROOF_ENCLOSING;
       decision.certificate.count = 3;
@@ -363,12 +352,11 @@ static void check_near_both_ways(void) {
   const gjk2_shape box = GJK2_BOX(5000, 3000);
   gjk2_collider a, b;
   unsigned proven = 0;
-  place_at(&a, &box, 0, 0);
+  a = placed2(&box, 0, 0);
   for (int side = -1; side <= 1; side += 2) {
-    place_at(&b, &box, side * 11000, 100);
+    b = placed2(&box, side * 11000, 100);
     for (uint16_t i = 0; i < 256; i++) {
-      gjk2_decision forth, back;
-      memset(&forth, 0, sizeof forth);
+      gjk2_decision forth = {0}, back;
       forth.yes = true;
       forth.certificate.proof = GJK2_PROOF_NEAR;
       forth.certificate.count = 2;
@@ -393,13 +381,12 @@ static void check_near_both_ways(void) {
 // Shapes that reach beyond the end of the world: a point there is said to be saturated, and only there.
 static void check_saturated(void) {
   const gjk2_shape segment = GJK2_SEGMENT(1000);
-  gjk2_collider a, b;
+  gjk2_collider a;
   gjk2_pose tilted = {{INT32_MAX - 10, 5000}, {GJK_Q30_ONE, 0}};
   gjk2_distance_result right, forged;
-  place_at(&a, &segment, INT32_MAX - 10, 0);
-  memset(&b, 0, sizeof b);
+  a = placed2(&segment, INT32_MAX - 10, 0);
   CHECK(gjk2_rotation_from_angle(GJK_ANGLE(-0.3), &tilted.rotation) == GJK_OK);
-  CHECK(gjk2_collider_init(&b, &segment, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &tilted) == GJK_OK);
+  const gjk2_collider b = posed2(&segment, &tilted);
   CHECK(gjk2_distance(&a, &b, NULL, &right) == GJK_OK && right.saturated);
   CHECK(right.point_a.x == INT32_MAX && right.point_b.x == INT32_MAX);
   CHECK(gjk2_check_distance(&a, &b, &right) == GJK_OK);
@@ -418,10 +405,10 @@ static void check_curved_points(void) {
   const gjk2_shape nothing = GJK2_ELLIPSE(0, 0), rounded = GJK2_ROUNDED_ELLIPSE(0, 0, 100);
   gjk2_collider a, b;
   gjk2_penetration_result out;
-  place_at(&a, &nothing, 3, 4);
+  a = placed2(&nothing, 3, 4);
   CHECK(gjk2_penetration(&a, &a, NULL, &out) == GJK_OK && out.intersecting);
   CHECK(out.lower == 0 && out.depth <= 2 && out.upper <= 4);
-  place_at(&b, &rounded, 3, 4);
+  b = placed2(&rounded, 3, 4);
   CHECK(gjk2_penetration(&a, &b, NULL, &out) == GJK_OK && out.intersecting);
   CHECK(out.lower <= 100 && out.upper >= 100 && out.depth >= 98 && out.depth <= 102);
 }
@@ -435,8 +422,7 @@ static void check_large_depths(random_state *r) {
   gjk2_collider *a = &pair[0].collider, *b = &pair[1].collider;
   for (int i = 0; i < 2; i++) {
     pair[i].shape = box;
-    pair[i].pose.position.x = random_range(r, -GJK_Q16(40.0), GJK_Q16(40.0));
-    pair[i].pose.position.y = random_range(r, -GJK_Q16(40.0), GJK_Q16(40.0));
+    pair[i].pose.position = plane_random_vec(r, GJK_Q16(40.0));
     CHECK(gjk2_rotation_from_angle(random_range(r, -205887, 205887), &pair[i].pose.rotation) == GJK_OK);
     plane_place(&pair[i], false);
   }

@@ -1,7 +1,6 @@
 // Skips of the plane to the last LSB: what a pair's record claims is so, motion and rotations are bounded, and pairs that
 // are as far apart as their margins reach are told as a scene without skips and the query tell them.
 #include <math.h>
-#include <string.h>
 
 #include "plane.h"
 #include "src/plane_scene/gjk2_scene_names.h"
@@ -68,8 +67,7 @@ static void check_path(random_state *random) {
   const gjk2_part part[2] = {{0, false, GJK2_POSE_IDENTITY}, {1, false, GJK2_POSE_IDENTITY}};
   gjk2_body_setup setup[2];
   for (int i = 0; i < 2; i++) {
-    const gjk2_body_setup s = {body[i].pose, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
-    setup[i] = s;
+    setup[i] = (gjk2_body_setup){body[i].pose, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
   }
   start(&quick, random_below(random, 2) == 0 ? &quick_config : &contacts_config, quick_block, shapes, setup);
   start(&plain, &plain_config, plain_block, shapes, setup);
@@ -152,11 +150,9 @@ static void check_motion(random_state *random) {
   gjk2_scene scene;
   gjk_body_id id;
   part.pose.rotation = plane_random_rotation(random);
-  part.pose.position.x = random_range(random, -100000, 100000);
-  part.pose.position.y = random_range(random, -100000, 100000);
+  part.pose.position = plane_random_vec(random, 100000);
   gjk2_body_setup setup = {body[0].pose, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
-  setup.pose.position.x = random_range(random, -100000, 100000);
-  setup.pose.position.y = random_range(random, -100000, 100000);
+  setup.pose.position = plane_random_vec(random, 100000);
   CHECK(gjk2_scene_init(&scene, &quick_config, quick_block, sizeof quick_block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk2_scene_add(&scene, &setup, &id) == GJK_OK);
   gjk_progress progress;

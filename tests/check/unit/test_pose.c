@@ -5,15 +5,12 @@
 #include "check.h"
 #include "gjk/pose.h"
 #include "random.h"
+#include "reference/real_quat.h"
+#include "same.h"
 
 #define SEED 20240611
 #define ITERATIONS ((int)check_trials(200000))
 #define ONE GJK_Q30_ONE
-
-// A rotation in long double.
-typedef struct real_quat {
-  long double x, y, z, w;
-} real_quat;
 
 typedef struct real3 {
   long double x, y, z;
@@ -54,30 +51,15 @@ static void check_worst(const worst *at) {
   CHECK_MSG(at->error >= 0.5L * at->stated, "%s: %.3Lf LSB", at->name, at->error);
 }
 
-static real_quat real_of(const gjk_quat *q) {
-  const real_quat r = {q->x, q->y, q->z, q->w};
-  const long double length = sqrtl(r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w);
-  const real_quat unit = {r.x / length, r.y / length, r.z / length, r.w / length};
-  return unit;
-}
-
-static real_quat real_product(real_quat a, real_quat b) {
-  const real_quat p = {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-                       a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-  return p;
-}
-
 // v turned by the unit quaternion q = u + w: v + 2 w (u x v) + 2 u x (u x v).
 static real3 real_apply(real_quat q, real3 v) {
   const real3 t = {2 * (q.y * v.z - q.z * v.y), 2 * (q.z * v.x - q.x * v.z), 2 * (q.x * v.y - q.y * v.x)};
-  const real3 turned = {v.x + q.w * t.x + q.y * t.z - q.z * t.y, v.y + q.w * t.y + q.z * t.x - q.x * t.z,
-                        v.z + q.w * t.z + q.x * t.y - q.y * t.x};
-  return turned;
+  return (real3){v.x + q.w * t.x + q.y * t.z - q.z * t.y, v.y + q.w * t.y + q.z * t.x - q.x * t.z,
+                 v.z + q.w * t.z + q.x * t.y - q.y * t.x};
 }
 
 static real3 real_vec3(const gjk_vec3 *v) {
-  const real3 r = {v->x, v->y, v->z};
-  return r;
+  return (real3){v->x, v->y, v->z};
 }
 
 // A number of any size from 0 to the ends of int32_t, these included.
@@ -106,9 +88,8 @@ static gjk_q16 random_angle(random_state *random) {
 }
 
 static gjk_quat quat_of(real_quat q, long double length) {
-  const gjk_quat rounded = {(gjk_q30)llroundl(q.x * length * ONE), (gjk_q30)llroundl(q.y * length * ONE),
-                            (gjk_q30)llroundl(q.z * length * ONE), (gjk_q30)llroundl(q.w * length * ONE)};
-  return rounded;
+  return (gjk_quat){(gjk_q30)llroundl(q.x * length * ONE), (gjk_q30)llroundl(q.y * length * ONE),
+                    (gjk_q30)llroundl(q.z * length * ONE), (gjk_q30)llroundl(q.w * length * ONE)};
 }
 
 // A quaternion whose length is within the tolerance, in half of them just so; some are along the axes.
@@ -124,7 +105,7 @@ static gjk_quat random_unit(random_state *random) {
   const long double edge = GJK_ROTATION_TOLERANCE / 2.0L / ONE - 2.0L / ONE;
   const uint32_t kind = random_below(random, 4);
   const long double part = kind < 2 ? 2.0L * kind - 1 : random_range(random, -1000, 1000) / 1000.0L;
-  return quat_of(real_of(&q), 1 + edge * part);
+  return quat_of(real_quat_of(&q), 1 + edge * part);
 }
 
 static gjk_vec3 random_vec3(random_state *random) {
@@ -140,16 +121,7 @@ static gjk_vec3 random_within(random_state *random, int32_t length) {
   const gjk_vec3 v = random_vec3(random);
   const real3 r = real_vec3(&v);
   const long double norm = sqrtl(r.x * r.x + r.y * r.y + r.z * r.z), scale = norm > length ? length / norm : 1;
-  const gjk_vec3 shorter = {(gjk_q16)(r.x * scale), (gjk_q16)(r.y * scale), (gjk_q16)(r.z * scale)};
-  return shorter;
-}
-
-static bool same_quat(const gjk_quat *a, const gjk_quat *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w;
-}
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
+  return (gjk_vec3){(gjk_q16)(r.x * scale), (gjk_q16)(r.y * scale), (gjk_q16)(r.z * scale)};
 }
 
 static void test_axis_angle(random_state *random) {
@@ -190,7 +162,7 @@ static void test_euler(random_state *random) {
     const real_quat about_x = {sinl(x / 131072.0L), 0, 0, cosl(x / 131072.0L)};
     const real_quat about_y = {0, sinl(y / 131072.0L), 0, cosl(y / 131072.0L)};
     const real_quat about_z = {0, 0, sinl(z / 131072.0L), cosl(z / 131072.0L)};
-    if (worse_quat(&at, &q, real_product(about_z, real_product(about_y, about_x)))) {
+    if (worse_quat(&at, &q, real_quat_product(about_z, real_quat_product(about_y, about_x)))) {
       NOTE(&at, "%ld %ld %ld", (long)x, (long)y, (long)z);
     }
   }
@@ -220,7 +192,7 @@ static void test_normalize(random_state *random) {
     gjk_quat q = {v.x, v.y, v.z, random_component(random)}, unit;
     q.w |= (q.x | q.y | q.z) == 0;
     CHECK(gjk_quat_normalize(&q, &unit) == GJK_OK);
-    if (worse_quat(&at, &unit, real_of(&q))) {
+    if (worse_quat(&at, &unit, real_quat_of(&q))) {
       NOTE(&at, "%ld %ld %ld %ld", (long)q.x, (long)q.y, (long)q.z, (long)q.w);
     }
     gjk_quat_normalize(&q, &q);
@@ -237,7 +209,7 @@ static void test_compose(random_state *random) {
     const gjk_quat a = random_unit(random), b = random_unit(random);
     gjk_quat p, into_a = a, into_b = b, square_a = a, squared;
     CHECK(gjk_quat_compose(&a, &b, &p) == GJK_OK);
-    if (worse_quat(&at, &p, real_product(real_of(&a), real_of(&b)))) {
+    if (worse_quat(&at, &p, real_quat_product(real_quat_of(&a), real_quat_of(&b)))) {
       NOTE(&at, "%ld %ld %ld %ld by %ld %ld %ld %ld", (long)a.x, (long)a.y, (long)a.z, (long)a.w, (long)b.x, (long)b.y,
            (long)b.z, (long)b.w);
     }
@@ -264,7 +236,7 @@ static void test_apply(random_state *random, const char *name, int32_t length, l
   for (int i = 0; i < ITERATIONS; i++) {
     const gjk_pose pose = {random_vec3(random), random_unit(random)};
     const gjk_vec3 v = length == 0 ? random_vec3(random) : random_within(random, length);
-    const real3 turned = real_apply(real_of(&pose.rotation), real_vec3(&v));
+    const real3 turned = real_apply(real_quat_of(&pose.rotation), real_vec3(&v));
     const real3 p = real_vec3(&pose.position), moved = {p.x + turned.x, p.y + turned.y, p.z + turned.z};
     const gjk_vec3 none = {1, 2, 3};
     gjk_vec3 got = none, in_place = v;
@@ -302,10 +274,6 @@ static void test_apply(random_state *random, const char *name, int32_t length, l
             "%s: %lu of %d out of range", name, out_of_range, ITERATIONS);
 }
 
-static bool same_pose(const gjk_pose *a, const gjk_pose *b) {
-  return same_vec3(&a->position, &b->position) && same_quat(&a->rotation, &b->rotation);
-}
-
 // Composes and inverts poses within 4095 units, and goes back.
 static void test_poses(random_state *random) {
   worst composed = {"pose compose", 1, 0, ""}, inverted = {"pose invert", 1, 0, ""};
@@ -326,12 +294,12 @@ static void test_poses(random_state *random) {
     changed += !same_pose(&into_a, &ab) || !same_pose(&into_b, &ab);
 
     const real3 p = real_vec3(&a.position), opposite = {-p.x, -p.y, -p.z};
-    const real3 turned = real_apply(real_of(&a.rotation), real_vec3(&b.position));
+    const real3 turned = real_apply(real_quat_of(&a.rotation), real_vec3(&b.position));
     const real3 moved = {p.x + turned.x, p.y + turned.y, p.z + turned.z};
     if (worse_vec3(&composed, &ab.position, moved)) {
       NOTE(&composed, "trial %d", i);
     }
-    if (worse_vec3(&inverted, &inverse.position, real_apply(real_of(&conjugate), opposite))) {
+    if (worse_vec3(&inverted, &inverse.position, real_apply(real_quat_of(&conjugate), opposite))) {
       NOTE(&inverted, "trial %d", i);
     }
     const real3 origin = {0, 0, 0};

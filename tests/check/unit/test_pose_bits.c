@@ -31,10 +31,9 @@ static void mix_vec3(const gjk_vec3 *v) {
 
 static gjk_vec3 any_vector(random_state *random) {
   const unsigned shift = random_below(random, 31);
-  const gjk_vec3 v = {random_range(random, INT32_MIN, INT32_MAX) >> shift,
-                      random_range(random, INT32_MIN, INT32_MAX) >> shift,
-                      random_range(random, INT32_MIN, INT32_MAX) >> shift};
-  return v;
+  return (gjk_vec3){random_range(random, INT32_MIN, INT32_MAX) >> shift,
+                    random_range(random, INT32_MIN, INT32_MAX) >> shift,
+                    random_range(random, INT32_MIN, INT32_MAX) >> shift};
 }
 
 static void call_all(random_state *random) {

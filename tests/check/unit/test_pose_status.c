@@ -1,20 +1,9 @@
 // Quaternions and poses at the limits of what is accepted, and beyond: statuses, and outputs that stay as they were.
 #include "check.h"
 #include "gjk/pose.h"
+#include "same.h"
 
 #define ONE GJK_Q30_ONE
-
-static bool same_quat(const gjk_quat *a, const gjk_quat *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w;
-}
-
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
-static bool same_pose(const gjk_pose *a, const gjk_pose *b) {
-  return same_vec3(&a->position, &b->position) && same_quat(&a->rotation, &b->rotation);
-}
 
 // The tolerance is exact to the last unit.
 static void test_tolerance(void) {

@@ -17,8 +17,7 @@ static wide random_wide(random_state *random, unsigned bits) {
 }
 
 static gjk_u128 halves(wide x) {
-  const gjk_u128 out = {(uint64_t)(x >> 64), (uint64_t)x};
-  return out;
+  return (gjk_u128){(uint64_t)(x >> 64), (uint64_t)x};
 }
 
 // floor(x n / d), for |x| < 2^34, n <= d < 2^93

@@ -32,8 +32,7 @@ static void judge(const case_pair *pair, const case_collider *a, const case_coll
 static void compare(const case_pair *pair, case_collider *a, case_collider *b, tally *t) {
   gjk_distance_result result;
   reference_result reference;
-  if (case_collider_build(a, &pair->a, false) != GJK_OK || case_collider_build(b, &pair->b, false) != GJK_OK ||
-      gjk_distance(&a->collider, &b->collider, NULL, &result) != GJK_OK) {
+  if (!case_pair_build(pair, false, a, b) || gjk_distance(&a->collider, &b->collider, NULL, &result) != GJK_OK) {
     CHECK_MSG(false, "%s", pair->id);
     case_print(stdout, pair);
     return;
@@ -94,8 +93,6 @@ int main(int argc, char **argv) {
   CHECK(near.pairs < all.pairs);
   CHECK(all.decisions + all.distances < all.pairs / 4);
   CHECK(all.decisions - near.decisions + all.distances - near.distances < (all.pairs - near.pairs) / 10);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("reference");
 }

@@ -82,9 +82,7 @@ static void judge(const case_pair *pair, const case_collider *a, const case_coll
 
 static void judge_pair(const case_pair *pair, case_collider *a, case_collider *b, tally *t) {
   gjk_penetration_result truth;
-  const bool proven = case_collider_build(a, &pair->a, false) == GJK_OK &&
-                      case_collider_build(b, &pair->b, false) == GJK_OK &&
-                      find_truth(&a->collider, &b->collider, &truth);
+  const bool proven = case_pair_build(pair, false, a, b) && find_truth(&a->collider, &b->collider, &truth);
   CHECK_MSG(proven, "%s", pair->id);
   for (unsigned i = 0; i < PRECISIONS && proven && truth.intersecting; i++) {
     judge(pair, a, b, truth.depth, &precisions[i], &t[i]);
@@ -114,9 +112,7 @@ static void run_table(const generate_family *families, unsigned count, tally *al
       all[n].error = fmax(all[n].error, t[n].error);
     }
   }
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
 }
 
 int main(void) {

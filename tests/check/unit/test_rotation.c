@@ -20,9 +20,8 @@ static gjk_quat random_unit(random_state *random, long double scale) {
   // Rounding a component moves |q|^2 by up to 2^-29. Staying 2^-26 inside the tolerance is safe.
   const long double length = sqrtl(1 + scale * (ldexpl(1, -16) - ldexpl(1, -26))), f = GJK_Q30_ONE * length;
   const long double norm = sqrtl(squared);
-  const gjk_quat q = {(gjk_q30)llroundl(c[0] / norm * f), (gjk_q30)llroundl(c[1] / norm * f),
-                      (gjk_q30)llroundl(c[2] / norm * f), (gjk_q30)llroundl(c[3] / norm * f)};
-  return q;
+  return (gjk_quat){(gjk_q30)llroundl(c[0] / norm * f), (gjk_q30)llroundl(c[1] / norm * f),
+                    (gjk_q30)llroundl(c[2] / norm * f), (gjk_q30)llroundl(c[3] / norm * f)};
 }
 
 static void real_matrix(const gjk_quat *q, long double m[3][3]) {

@@ -74,8 +74,7 @@ static scan_case scan_case_of(random_state *random, family kind, unsigned count,
     abort();
   }
   for (unsigned i = 0; i < count; i++) {
-    const gjk_vec3 v = {component(random, kind, bits), component(random, kind, bits), component(random, kind, bits)};
-    s.v[i] = v;
+    s.v[i] = (gjk_vec3){component(random, kind, bits), component(random, kind, bits), component(random, kind, bits)};
   }
   return s;
 }
@@ -178,8 +177,7 @@ static void test_each_place(void) {
   for (unsigned count = 1; count <= MOST; count++) {
     const unsigned bits = 1 + count % 30;
     scan_case s = scan_case_of(&random, ALIKE, count, bits, 30);
-    const gjk_vec3 along_y = {0, 1 << 30, 0};
-    s.d = along_y;
+    s.d = (gjk_vec3){0, 1 << 30, 0};
     check_trial(count, print_case, &s);
     for (unsigned i = 0; i < count; i++) {
       for (unsigned k = 0; k < count; k++) {
@@ -235,8 +233,7 @@ static void test_reach_of_understated(void) {
     const int32_t unit = INT32_C(1) << (bits - 14);
     scan_case s = scan_case_of(&random, GRID, 12 + random_below(&random, 30), bits, 30);
     const int32_t x = random_range(&random, 32500, 32767), y = random_range(&random, 32500, 32767);
-    const gjk_vec3 d = {x * 65536 + 65535, y * 65536 + 65535, INT32_MAX};
-    s.d = d;
+    s.d = (gjk_vec3){x * 65536 + 65535, y * 65536 + 65535, INT32_MAX};
     for (unsigned i = 0; i < s.count; i++) {
       s.v[i].x = random_range(&random, 16000, 16383) * unit + unit - 1;
       s.v[i].y = random_range(&random, 16000, 16383) * unit + unit - 1;

@@ -18,6 +18,9 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+#include "scene_bodies.h"
+
 #define SEED 7795
 #define TRIALS check_trials(400)
 #define STEPS 512
@@ -55,19 +58,6 @@ static gjk_pose random_pose(random_state *random, int32_t reach, int32_t turn) {
   return pose;
 }
 
-static gjk_body_id add(const gjk_part *parts, uint16_t count, const gjk_pose *pose, uint8_t kind) {
-  gjk_body_setup setup;
-  gjk_body_id id = {0, 0};
-  memset(&setup, 0, sizeof setup);
-  setup.pose = *pose;
-  setup.parts = parts;
-  setup.part_count = count;
-  setup.kind = kind;
-  setup.category = setup.mask = 1;
-  CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_OK);
-  return id;
-}
-
 // The part's collider at a pose of its body.
 static void collider_at(const gjk_part *part, const gjk_pose *body, gjk_collider *c) {
   gjk_pose pose = *body;
@@ -75,7 +65,7 @@ static void collider_at(const gjk_part *part, const gjk_pose *body, gjk_collider
   if (part->own_pose) {
     CHECK(gjk_pose_compose(body, &part->pose, &pose) == GJK_OK);
   }
-  CHECK(gjk_collider_init(c, shapes[part->shape], NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+  *c = posed(shapes[part->shape], &pose);
 }
 
 static bool near(const gjk_part *part, const gjk_pose *body, const gjk_collider *other, gjk_q16 reach) {
@@ -101,8 +91,8 @@ static void check_swing(random_state *random) {
   gjk_collider other;
   CHECK(gjk_scene_bytes(&config) <= sizeof block);
   CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 4, &bindings) == GJK_OK);
-  const gjk_body_id hammer = add(parts, 2, &from, GJK_BODY_DYNAMIC);
-  add(&thing, 1, &at, GJK_BODY_STATIC);
+  const gjk_body_id hammer = scene_add_parts(&scene, parts, 2, GJK_BODY_DYNAMIC, &from);
+  scene_add_parts(&scene, &thing, 1, GJK_BODY_STATIC, &at);
   CHECK(gjk_scene_set_motion(&scene, hammer, GJK_MOTION_FAST) == GJK_OK);
   CHECK(gjk_scene_update(&scene, reports, 8, &progress) == GJK_OK);
   if (progress.reports > 0) {
@@ -114,8 +104,7 @@ static void check_swing(random_state *random) {
   for (uint32_t i = 0; i < progress.reports; i++) {
     impact = reports[i].event == GJK_EVENT_IMPACT ? &reports[i] : impact;
   }
-  gjk_motion motion;
-  memset(&motion, 0, sizeof motion);
+  gjk_motion motion = {0};
   motion.from = from;
   motion.to = to;
   collider_at(&thing, &at, &other);

@@ -20,6 +20,9 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+#include "scene_bodies.h"
+
 #define SEED 7780
 #define VOLLEYS check_trials(16)
 #define WALLS 12
@@ -64,9 +67,7 @@ static const gjk_report *impact_of[BODIES];
 static unsigned long hits, turning_hits, moving_hits, through, sampled, misses, starts;
 
 static void collider_at(const thing *t, const gjk_pose *pose, gjk_collider *c) {
-  memset(c, 0, sizeof *c);
-  CHECK(gjk_collider_init(c, shapes[t->shape], NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(c, pose) == GJK_OK);
+  *c = posed(shapes[t->shape], pose);
 }
 
 static gjk_pose random_pose(random_state *random, int32_t x, int32_t spread, bool turned) {
@@ -129,8 +130,7 @@ static void start_scene(void *block, size_t bytes, const gjk_scene_config *confi
   for (uint32_t i = 0; i < BODIES; i++) {
     const bool wall = i < WALLS, moving = wall && i % 3 != 0;
     const gjk_part part = {things[i].shape, false, GJK_POSE_IDENTITY};
-    gjk_body_setup setup;
-    memset(&setup, 0, sizeof setup);
+    gjk_body_setup setup = {0};
     setup.pose = things[i].from;
     setup.parts = &part;
     setup.part_count = 1;
@@ -144,10 +144,7 @@ static void start_scene(void *block, size_t bytes, const gjk_scene_config *confi
 }
 
 static uint32_t update(void) {
-  gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, reports, 4 * BODIES, &progress) == GJK_OK);
-  CHECK(progress.reports_left == 0);
-  return progress.reports;
+  return scene_update(&scene, reports, 4 * BODIES);
 }
 
 // Where a bullet meets a wall, by the query of that pair alone. *open: it has no answer, where the ceiling is low.
@@ -168,8 +165,7 @@ static bool meets(const thing *wall, const thing *bullet, uint32_t *fraction, bo
     *at_start = result.hit && result.inside;
     return result.hit;
   }
-  gjk_motion of_a, of_b;
-  memset(&of_a, 0, sizeof of_a);
+  gjk_motion of_a = {0}, of_b;
   of_b = of_a;
   of_a.from = wall->from;
   of_a.to = wall->to;

@@ -151,11 +151,6 @@ static void test_testing(void) {
   CHECK(memcmp(sound, block, sizeof block) == 0);
 }
 
-static void ignore_report(void *user, const gjk_report *report) {
-  (void)user;
-  (void)report;
-}
-
 // An update of no pairs.
 static void test_testing_none(void) {
   static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
@@ -251,7 +246,7 @@ static void test_kept(void) {
   REFUSED(v.kept[0].other = v.header->parts.fresh; v.kept[0].state = 0);
   // Done: what it met is not read again.
   restore();
-  CHECK(gjk_scene_update_each(&scene, ignore_report, NULL) == GJK_OK);
+  CHECK(gjk_scene_update_each(&scene, scene_ignore, NULL) == GJK_OK);
   CHECK(v.header->phase == GJK_SCENE_IDLE);
   memcpy(sound, block, sizeof block);
   ACCEPTED(v.kept[0].other = v.header->parts.fresh);

@@ -2,7 +2,6 @@
 // restored, moved to other memory and updated in slices, with small buffers, and by threads.
 #include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "scene/session.h"

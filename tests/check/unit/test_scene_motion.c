@@ -110,15 +110,6 @@ static gjk_status ask(const question *q, const gjk_scene_hit *after, gjk_scene_h
   }
 }
 
-static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
-  for (uint32_t i = 0; i < count; i++) {
-    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation || a[i].user != b[i].user) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // The nearest hit is the first of all, with the result of its own cast.
 static void check_nearest(const question *q, const gjk_scene_hit *expected, uint32_t wanted,
                           const gjk_cast_result *first) {
@@ -191,11 +182,10 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
 
 // Ways of any length, some that stand still, along an axis, from the middle of a part, or to it.
 static question random_question(random_state *random) {
-  question q;
+  question q = {0};
   const int32_t reach = w.options.reach * 2;
   const uint32_t how = random_below(random, 6);
   const world_body *b = &w.bodies[random_below(random, w.options.bodies)];
-  memset(&q, 0, sizeof q);
   q.kind = (kind)random_below(random, KINDS);
   q.from = random_vector(random, reach);
   q.to = random_vector(random, how == 0 ? INT32_MAX / 2 : reach);
@@ -267,13 +257,12 @@ static gjk_vec3 along_axis(int axis, int32_t length) {
 static void check_statuses(void) {
   const gjk_vec3 from = w.bodies[0].setup.pose.position;
   gjk_vec3 far = from;
-  gjk_collider c, unposed;
+  gjk_collider c, unposed = {0};
   gjk_pose pose = GJK_POSE_IDENTITY;
   gjk_scene_hit hit = {{7, 7}, 7, 7, 7};
   gjk_cast_result result;
   bool found = true;
   uint32_t count = 7;
-  memset(&unposed, 0, sizeof unposed);
   gjk_collider_init(&c, world_shapes[8], NULL, 0);  // whose centre is not its origin
   CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
   const gjk_scene *s = &w.scene;

@@ -1,5 +1,7 @@
 // Box, ray and nearest queries against a search of all parts; and continued in small buffers.
 #include "check.h"
+#include "gjk/gjk.h"
+#include "placed.h"
 #include "scene/world.h"
 
 #define AXES 3
@@ -69,10 +71,8 @@ static void check_equals(void) {
   gjk_scene_hit hit;
   gjk_q16 distance;
   bool found;
-  gjk_collider c;
   const gjk_pose identity = GJK_POSE_IDENTITY;
-  CHECK(gjk_collider_init(&c, &ball, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &identity) == GJK_OK);
+  const gjk_collider c = posed(&ball, &identity);
   for (uint32_t first = 0; first < 8; first++) {  // slots from there on, in either order
     gjk_body_id bodies[8];
     CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1, NULL) == GJK_OK);
@@ -130,7 +130,7 @@ static void check_far(random_state *random) {
     gjk_scene scene;
     gjk_scene_hit hit;
     gjk_body_id bodies[3];
-    gjk_collider c, part_collider;
+    gjk_collider part_collider;
     gjk_pose pose = GJK_POSE_IDENTITY;
     gjk_q16 distance, best = GJK_DISTANCE_MAX;
     uint32_t nearest = 0;
@@ -138,8 +138,7 @@ static void check_far(random_state *random) {
     const int32_t sign = random_below(random, 2) == 0 ? 1 : -1,
                   away = random_range(random, 1 << 30, (1 << 30) + (1 << 27) - 5);
     pose.position.x = -sign * away;
-    CHECK(gjk_collider_init(&c, &slab, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
+    const gjk_collider c = posed(&slab, &pose);
     CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1, NULL) == GJK_OK);
     for (unsigned k = 0; k < 3; k++) {
       setup.pose.position.x = sign * (away + random_range(random, 0, 4));

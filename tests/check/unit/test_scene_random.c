@@ -1,6 +1,5 @@
 // Scenes under random changes against a search of all pairs: every report of every update, with all skips and with none.
 #include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "generate/polytope.h"

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "scene/world.h"
+#include "scene_bodies.h"
 #include "src/scene/gjk_scene_block.h"
 
 #define SEED 5
@@ -12,12 +13,6 @@
 
 static world_options options = {
     WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0, true, true, false, false, 0, false};
-
-static uint64_t hash_of(const gjk_scene *scene) {
-  uint64_t hash = 0;
-  CHECK(gjk_scene_hash(scene, &hash) == GJK_OK);
-  return hash;
-}
 
 // One tick of a script that depends on its number alone.
 static void tick(world *w, int number) {
@@ -58,7 +53,7 @@ static void check_rollback(void) {
   CHECK(world_start(&w, &options, malloc(bytes), bytes));
   for (int i = 0; i < TICKS; i++) {
     tick(&w, i);
-    hashes[i] = hash_of(&w.scene);
+    hashes[i] = scene_hash(&w.scene);
   }
   free(w.scene.block);
 
@@ -84,7 +79,7 @@ static void check_rollback(void) {
       rollbacks++;
     }
     tick(&other, i);
-    CHECK_MSG(hash_of(&other.scene) == hashes[i], "tick %d", i);
+    CHECK_MSG(scene_hash(&other.scene) == hashes[i], "tick %d", i);
   }
   free(other.scene.block);
   free(save);
@@ -104,7 +99,7 @@ static void check_rollback(void) {
         GJK_OK);
   for (int i = 0; i < TICKS; i++) {
     tick(&other, i);
-    CHECK_MSG(hash_of(&other.scene) == hashes[i], "without skips, tick %d", i);
+    CHECK_MSG(scene_hash(&other.scene) == hashes[i], "without skips, tick %d", i);
   }
   free(other.scene.block);
 }
@@ -134,7 +129,7 @@ static void check_order(void) {
       slots[k] = slots[i - 1];
       CHECK(world_add_at(&second, slot, &bodies[slot]) == GJK_OK);
     }
-    CHECK(hash_of(&first.scene) == hash_of(&second.scene));
+    CHECK(scene_hash(&first.scene) == scene_hash(&second.scene));
     for (int i = 0; i < 20; i++) {
       gjk_progress progress;
       random_state same = random_seed(check_seed(SEED) + (uint64_t)(round * 100 + i)), again = same;
@@ -147,7 +142,7 @@ static void check_order(void) {
       CHECK(gjk_scene_update(&second.scene, b.report, WORLD_REPORTS, &progress) == GJK_OK);
       b.count = progress.reports;
       CHECK_MSG(world_same(&a, &b), "round %d, tick %d", round, i);
-      CHECK_MSG(hash_of(&first.scene) == hash_of(&second.scene), "round %d, tick %d", round, i);
+      CHECK_MSG(scene_hash(&first.scene) == scene_hash(&second.scene), "round %d, tick %d", round, i);
     }
     free(first.scene.block);
     free(second.scene.block);
@@ -181,13 +176,13 @@ static void check_builds(void) {
   CHECK(world_start(&w, &options, block, bytes));
   CHECK(h->version == GJK_SCENE_BLOCK_VERSION);
   CHECK(h->iterations == GJK_ITERATIONS_MAX);
-  const uint64_t before = hash_of(&w.scene);
+  const uint64_t before = scene_hash(&w.scene);
   h->version = 1;
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   h->version = GJK_SCENE_BLOCK_VERSION;
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK);
   h->iterations++;
-  CHECK(hash_of(&w.scene) != before);
+  CHECK(scene_hash(&w.scene) != before);
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
   CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
@@ -310,13 +305,13 @@ static void check_counted(void) {
     if (id.generation % 2 == 0) {
       continue;
     }
-    const uint64_t before = hash_of(scene);
+    const uint64_t before = scene_hash(scene);
     CHECK(gjk_scene_get(scene, id, &state) == GJK_OK);
-    CHECK(gjk_scene_set_user(scene, id, state.user ^ 1) == GJK_OK && hash_of(scene) != before);
-    CHECK(gjk_scene_set_user(scene, id, state.user) == GJK_OK && hash_of(scene) == before);
-    CHECK(gjk_scene_set_filter(scene, id, state.category ^ 8, state.mask) == GJK_OK && hash_of(scene) != before);
-    CHECK(gjk_scene_set_filter(scene, id, state.category, state.mask ^ 8) == GJK_OK && hash_of(scene) != before);
-    CHECK(gjk_scene_set_filter(scene, id, state.category, state.mask) == GJK_OK && hash_of(scene) == before);
+    CHECK(gjk_scene_set_user(scene, id, state.user ^ 1) == GJK_OK && scene_hash(scene) != before);
+    CHECK(gjk_scene_set_user(scene, id, state.user) == GJK_OK && scene_hash(scene) == before);
+    CHECK(gjk_scene_set_filter(scene, id, state.category ^ 8, state.mask) == GJK_OK && scene_hash(scene) != before);
+    CHECK(gjk_scene_set_filter(scene, id, state.category, state.mask ^ 8) == GJK_OK && scene_hash(scene) != before);
+    CHECK(gjk_scene_set_filter(scene, id, state.category, state.mask) == GJK_OK && scene_hash(scene) == before);
     bodies++;
   }
   CHECK(bodies > 5);

@@ -8,6 +8,7 @@
 
 #include "check.h"
 #include "random.h"
+#include "scene_bodies.h"
 
 #define SEED 9100
 #define TICKS 400
@@ -57,18 +58,8 @@ static gjk_body_id put(uint16_t shape, uint8_t kind, uint8_t detail, gjk_q16 x) 
   return id;
 }
 
-static void move(gjk_body_id id, gjk_q16 x) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  pose.position.x = x;
-  CHECK(gjk_scene_move(&scene, id, &pose) == GJK_OK);
-}
-
 static void update(void) {
-  gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, reports, 64, &progress) == GJK_OK);
-  CHECK(progress.reports_left == 0 && progress.pairs_left == 0);
-  CHECK(gjk_scene_check(&scene) == GJK_OK);
-  count = progress.reports;
+  count = scene_update(&scene, reports, 64);
 }
 
 // A ball rolls through a sensor, against a wall: the sensor begins and ends, the wall begins and persists.
@@ -79,7 +70,7 @@ static void check_events(uint8_t detail) {
   const gjk_body_id roller = put(0, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, GJK_Q16(-3.0));
   unsigned begun = 0, ended = 0, persisting = 0;
   for (int32_t x = -30; x <= 25; x++) {
-    move(roller, x * GJK_Q16_ONE / 10);
+    scene_move_to(&scene, roller, x * GJK_Q16_ONE / 10, 0);
     update();
     for (uint32_t i = 0; i < count; i++) {
       const gjk_report *r = &reports[i];
@@ -116,7 +107,7 @@ static void check_work(uint8_t detail, bool sensors) {
   for (int tick = 0; tick < TICKS; tick++) {
     gjk_scene_stats stats;
     for (int i = 0; i < 3; i++) {
-      move(ids[random_below(&random, BODIES)], random_range(&random, GJK_Q16(-8.0), GJK_Q16(8.0)));
+      scene_move_to(&scene, ids[random_below(&random, BODIES)], random_range(&random, GJK_Q16(-8.0), GJK_Q16(8.0)), 0);
     }
     update();
     CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
@@ -171,7 +162,7 @@ static void check_fast(uint8_t detail, bool met) {
   const gjk_body_id bullet = put(0, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, GJK_Q16(-40.0));
   CHECK(gjk_scene_set_motion(&scene, bullet, GJK_MOTION_FAST) == GJK_OK);
   update();
-  move(bullet, GJK_Q16(40.0));
+  scene_move_to(&scene, bullet, GJK_Q16(40.0), 0);
   update();
   CHECK(count == 1 && reports[0].event == GJK_EVENT_IMPACT && reports[0].b.slot == (met ? 0u : 1u));
 }

@@ -457,8 +457,7 @@ typedef struct faces {
 } faces;
 
 static gjk_vec3 combine(const gjk_vec3 *a, int32_t i, const gjk_vec3 *b, int32_t k) {
-  const gjk_vec3 v = {i * a->x + k * b->x, i * a->y + k * b->y, i * a->z + k * b->z};
-  return v;
+  return (gjk_vec3){i * a->x + k * b->x, i * a->y + k * b->y, i * a->z + k * b->z};
 }
 
 // (x, y, z) turned by so many places.
@@ -487,8 +486,7 @@ static void make_faces(random_state *random, faces *f) {
   const gjk_vec3 off = {random_range(random, 0, 999), random_range(random, 0, 999), random_range(random, 1, 999)};
   f->above = gjk_dot(&f->normal, &off);
   for (unsigned i = 0; i < 2; i++) {
-    const gjk_shape hull = GJK_HULL(f->corner[i], 4);
-    f->shape[i] = hull;
+    f->shape[i] = (gjk_shape)GJK_HULL(f->corner[i], 4);
     shapes[i] = &f->shape[i];
     pose[i] = identity;
   }

@@ -15,6 +15,9 @@
 #define SPACE 1
 #endif
 
+#include "placed.h"
+#include "scene_bodies.h"
+
 #define SEED 7790
 #define ROOMS check_trials(160)
 #define WALKS 60
@@ -50,25 +53,12 @@ static void start_scene(void) {
   CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 4, NULL) == GJK_OK);
 }
 
-static gjk_body_id add(uint16_t shape, const gjk_pose *pose) {
-  const gjk_part part = {shape, false, GJK_POSE_IDENTITY};
-  gjk_body_setup setup;
-  gjk_body_id id = {0, 0};
-  memset(&setup, 0, sizeof setup);
-  setup.pose = *pose;
-  setup.parts = &part;
-  setup.part_count = 1;
-  setup.category = setup.mask = 1;
-  CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_OK);
-  return id;
-}
-
 static gjk_body_id add_at(uint16_t shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
   gjk_pose pose = GJK_POSE_IDENTITY;
   const gjk_vec3 position = VECTOR(x, y, z);
   (void)z;
   pose.position = position;
-  return add(shape, &pose);
+  return scene_add_shape(&scene, shape, GJK_BODY_STATIC, &pose);
 }
 
 static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 position) {
@@ -81,17 +71,14 @@ static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 positio
   }
 #else
   if (shape == &man) {
-    const gjk_quat upright = {0, GJK_Q30_ONE};
-    pose.rotation = upright;
+    pose.rotation = (gjk_quat){0, GJK_Q30_ONE};
   }
 #endif
-  memset(c, 0, sizeof *c);
-  CHECK(gjk_collider_init(c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+  *c = posed(shape, &pose);
 }
 
 static gjk_slide_setup usual(void) {
-  gjk_slide_setup s;
-  memset(&s, 0, sizeof s);
+  gjk_slide_setup s = {0};
   s.up = up;
   s.slope = GJK_Q30_ONE / 2;  // 60 degrees
   s.skin = SKIN;
@@ -209,7 +196,7 @@ static void add_slope(gjk_q16 x, gjk_q16 y) {
   pose.position = middle;
   CHECK(gjk_quat_normalize(&turn, &pose.rotation) == GJK_OK);
   start_scene();
-  add(0, &pose);
+  scene_add_shape(&scene, 0, GJK_BODY_STATIC, &pose);
 }
 
 // It is ground if the cosine, sqrt(1/2), is at least what is asked for.
@@ -257,7 +244,7 @@ static void check_valley(void) {
     gjk_pose pose = GJK_POSE_IDENTITY;
     pose.position = middle[i];
     CHECK(gjk_quat_normalize(&turn[i], &pose.rotation) == GJK_OK);
-    add(0, &pose);
+    scene_add_shape(&scene, 0, GJK_BODY_STATIC, &pose);
   }
   set_walker(&c, &robot, start);
   const gjk_slide_result r = walk(&c, to, &setup);
@@ -290,7 +277,8 @@ static void build_room(random_state *random) {
       CHECK(gjk_quat_normalize(&any, &pose.rotation) == GJK_OK);
     }
     // Casts against a curved shape may have no answer where the ceiling is low.
-    add((uint16_t)(1 + random_below(random, GJK_ITERATIONS_MAX < 100 ? 2 : 3)), &pose);
+    scene_add_shape(&scene, (uint16_t)(1 + random_below(random, GJK_ITERATIONS_MAX < 100 ? 2 : 3)), GJK_BODY_STATIC,
+                    &pose);
   }
 }
 
@@ -345,13 +333,12 @@ static void check_walks(random_state *random) {
 }
 
 static void check_statuses(void) {
-  gjk_collider c, unposed;
+  gjk_collider c, unposed = {0};
   gjk_slide_setup setup = usual();
   gjk_slide_result r;
   gjk_vec3 to = VECTOR(ONE, ONE, 0);
   start_scene();
   set_walker(&c, &robot, to);
-  memset(&unposed, 0, sizeof unposed);
   memset(&r, 0x5A, sizeof r);
   const gjk_slide_result untouched = r;
   CHECK(gjk_slide(NULL, &c, &to, &setup, &r) == GJK_ERROR_NULL);

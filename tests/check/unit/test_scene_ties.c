@@ -32,8 +32,7 @@ static gjk_body_id ids[BODIES];
 static unsigned long ties, hits, misses;
 
 static gjk_vec3 lattice_point(random_state *random, int32_t side, int32_t step) {
-  gjk_vec3 v;
-  memset(&v, 0, sizeof v);
+  gjk_vec3 v = {0};
   v.x = random_range(random, -side, side) * step;
   v.y = random_range(random, -side, side) * step;
 #ifndef WORLD_OF_PLANE
@@ -56,9 +55,8 @@ static bool fill_scene(random_state *random) {
   }
   for (uint32_t i = 0; i < BODIES; i++) {
     gjk_part parts[2];
-    gjk_body_setup setup;
+    gjk_body_setup setup = {0};
     memset(parts, 0, sizeof parts);
-    memset(&setup, 0, sizeof setup);
     for (unsigned k = 0; k < 2; k++) {
       parts[k].shape = random_below(random, 4) == 0 ? 1 : 0;
       parts[k].own_pose = random_below(random, 2) == 0;
@@ -85,12 +83,11 @@ static bool fill_scene(random_state *random) {
 
 // collider NULL: a ray.
 static void check_first(const gjk_collider *collider, const gjk_vec3 *from, const gjk_vec3 *to) {
-  gjk_scene_hit hit, best;
+  gjk_scene_hit hit, best = {0};
   gjk_cast_result result, first, trial;
   unsigned equals = 0;
   bool found;
   gjk_collider part;
-  memset(&best, 0, sizeof best);
   memset(&first, 0, sizeof first);
   for (uint32_t slot = 0; slot < BODIES; slot++) {
     for (uint16_t k = 0; gjk_scene_collider(&scene, ids[slot], k, &part) == GJK_OK; k++) {

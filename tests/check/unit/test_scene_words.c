@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "scene_bodies.h"
 
 #define BODIES 4
 #define PAIRS 8
@@ -34,34 +35,12 @@ static gjk_scene_config config_of(uint8_t words) {
 }
 
 static gjk_body_id put(gjk_q16 x) {
-  static const gjk_part part = {0, false, GJK_POSE_IDENTITY};
-  gjk_body_setup setup = {.pose = GJK_POSE_IDENTITY, .part_count = 1, .category = 1, .mask = 1};
-  gjk_body_id id = {0, 0};
-  setup.parts = &part;
-  setup.kind = GJK_BODY_DYNAMIC;
-  setup.pose.position.x = x;
-  CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_OK);
-  return id;
-}
-
-static void move(gjk_body_id id, gjk_q16 x) {
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  pose.position.x = x;
-  CHECK(gjk_scene_move(&scene, id, &pose) == GJK_OK);
+  const gjk_pose pose = scene_pose(x, 0);
+  return scene_add_shape(&scene, 0, GJK_BODY_DYNAMIC, &pose);
 }
 
 static void update(void) {
-  gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, reports, PAIRS, &progress) == GJK_OK);
-  CHECK(progress.reports_left == 0 && progress.pairs_left == 0);
-  CHECK(gjk_scene_check(&scene) == GJK_OK);
-  count = progress.reports;
-}
-
-static uint64_t hash(void) {
-  uint64_t out = 0;
-  CHECK(gjk_scene_hash(&scene, &out) == GJK_OK);
-  return out;
+  count = scene_update(&scene, reports, PAIRS);
 }
 
 static bool are(const uint32_t *words, uint32_t first) {
@@ -94,18 +73,18 @@ static void check_life(void) {
   bool found;
   write(words, 70);
   for (int i = 0; i < 5; i++) {  // still, then a motion that is skipped, then one that is not
-    move(b, i == 0 ? GJK_Q16(0.5) : GJK_Q16(0.5) + i * i * i * 100);
+    scene_move_to(&scene, b, i == 0 ? GJK_Q16(0.5) : GJK_Q16(0.5) + i * i * i * 100, 0);
     update();
     cursor = 0;
     CHECK(count == 0 && gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && found);
     CHECK(near.words == words && are(words, 70));
   }
-  move(b, GJK_Q16(1.05));  // apart; where boxes leave room, the record stays
+  scene_move_to(&scene, b, GJK_Q16(1.05), 0);  // apart; where boxes leave room, the record stays
   update();
   CHECK(count == 1 && reports[0].event == GJK_EVENT_END && reports[0].words == words && are(words, 70));
   cursor = 0;
   CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && !found);
-  move(b, GJK_Q16(0.9));
+  scene_move_to(&scene, b, GJK_Q16(0.9), 0);
   update();
   CHECK(count == 1 && reports[0].event == GJK_EVENT_BEGIN && are(reports[0].words, 0));
   write(reports[0].words, 90);
@@ -138,7 +117,7 @@ static void check_slices(void) {
   gjk_progress progress;
   uint32_t *words = start(&a, &b);
   const gjk_body_id c = put(GJK_Q16(-0.75));
-  move(b, GJK_Q16(0.6));
+  scene_move_to(&scene, b, GJK_Q16(0.6), 0);
   CHECK(gjk_scene_update_slice(&scene, 0, reports, PAIRS, &progress) == GJK_OK && progress.pairs_left > 0);
   write(words, 31);
   CHECK(gjk_scene_update_slice(&scene, UINT32_MAX, NULL, 0, &progress) == GJK_OK && progress.reports_left == 1);
@@ -161,14 +140,14 @@ static void check_saves(void) {
   write(words, 12);
   CHECK(gjk_scene_seal(&scene) == GJK_OK);
   memcpy(copy, block, sizeof block);
-  const uint64_t before = hash();
+  const uint64_t before = scene_hash(&scene);
   write(words, 13);
-  CHECK(hash() != before);
+  CHECK(scene_hash(&scene) != before);
   CHECK(gjk_scene_open(&other, block, sizeof block, kinds, 1, &bindings) == GJK_ERROR_CORRUPT);
   CHECK(gjk_scene_seal(&scene) == GJK_OK);
   CHECK(gjk_scene_open(&other, block, sizeof block, kinds, 1, &bindings) == GJK_OK);
   CHECK(gjk_scene_open(&scene, copy, sizeof copy, kinds, 1, &bindings) == GJK_OK);
-  CHECK(hash() == before);
+  CHECK(scene_hash(&scene) == before);
   CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && found);
   CHECK(are(near.words, 12) && are(words, 13) && near.words - copy == words - block);
 }
@@ -183,17 +162,17 @@ static void check_hash(void) {
     if (i > 0) {
       words[i - 1] = 1;
     }
-    seen[i] = hash();
+    seen[i] = scene_hash(&scene);
     for (int k = 0; k < i; k++) {
       CHECK(seen[k] != seen[i]);
     }
   }
-  move(b, GJK_Q16(1.01));
+  scene_move_to(&scene, b, GJK_Q16(1.01), 0);
   update();
   CHECK(count == 1 && reports[0].event == GJK_EVENT_END);
-  const uint64_t apart = hash();
+  const uint64_t apart = scene_hash(&scene);
   write(words, 1000);
-  CHECK(hash() == apart);
+  CHECK(scene_hash(&scene) == apart);
 }
 
 static void check_sizes(void) {
@@ -234,7 +213,7 @@ static void check_impact(void) {
   const gjk_body_id fast = put(GJK_Q16(-20.0));
   CHECK(gjk_scene_set_motion(&scene, fast, GJK_MOTION_FAST) == GJK_OK);
   update();
-  move(fast, GJK_Q16(20.0));
+  scene_move_to(&scene, fast, GJK_Q16(20.0), 0);
   update();
   CHECK(count == 1 && reports[0].event == GJK_EVENT_IMPACT && reports[0].words == NULL);
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "random.h"
+#include "random_vec.h"
 #include "src/gjk/gjk_simplex.h"
 
 #define RUNS ((int)check_trials(150000))
@@ -16,8 +16,7 @@ typedef struct point {
 } point;
 
 static point point_of(const gjk_vec3 *v) {
-  const point p = {v->x, v->y, v->z};
-  return p;
+  return (point){v->x, v->y, v->z};
 }
 
 static wide dot(point a, point b) {
@@ -25,18 +24,15 @@ static wide dot(point a, point b) {
 }
 
 static point minus(point a, point b) {
-  const point p = {a.x - b.x, a.y - b.y, a.z - b.z};
-  return p;
+  return (point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 static point cross(point a, point b) {
-  const point p = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  return p;
+  return (point){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 static point times(point a, wide f) {
-  const point p = {a.x * f, a.y * f, a.z * f};
-  return p;
+  return (point){a.x * f, a.y * f, a.z * f};
 }
 
 // The point nearest to the origin of the point, line or plane through a feature's vertices, times *scale > 0. False: it
@@ -149,8 +145,7 @@ int main(void) {
   for (int run = 0; run < RUNS; run++) {
     check_trial((unsigned long)run, NULL, NULL);
     const int32_t size = run % 8 < 7 ? 1 + run % 8 : 3000;
-    const gjk_vec3 middle = {random_range(&random, -size, size), random_range(&random, -size, size),
-                             random_range(&random, -size, size)};
+    const gjk_vec3 middle = random_in_cube(&random, size);
     gjk_simplex s;
     memset(&s, 0x55, sizeof s);
     gjk_simplex_clear(&s);

@@ -13,8 +13,7 @@
 #define TRIALS ((int)check_trials(100000))
 
 static gjk_vec3 difference(const exact_point *a, const exact_point *b) {
-  const gjk_vec3 v = {(int32_t)(a->x[0] - b->x[0]), (int32_t)(a->x[1] - b->x[1]), (int32_t)(a->x[2] - b->x[2])};
-  return v;
+  return (gjk_vec3){(int32_t)(a->x[0] - b->x[0]), (int32_t)(a->x[1] - b->x[1]), (int32_t)(a->x[2] - b->x[2])};
 }
 
 // A normal of up to 61 bits that is across an edge of the collider, or almost.
@@ -51,9 +50,8 @@ static bool is_farthest(const gjk_collider *c, const gjk_long3 *n, int sign, uns
 // The support point along sign * n, found as gjk_iteration.c finds it. moved: whether refining found a better one.
 static unsigned support(const gjk_collider *c, const gjk_long3 *n, bool negated, bool *moved) {
   gjk_search_direction rounded;
-  gjk_direction exact;
+  gjk_direction exact = {0};
   gjk_support found;
-  memset(&exact, 0, sizeof exact);
   gjk_search_direction_of(n, &rounded);
   exact.n = n;
   exact.spanning = 3;
@@ -69,12 +67,9 @@ static unsigned support(const gjk_collider *c, const gjk_long3 *n, bool negated,
 
 static void test_supports(void) {
   random_state random = random_seed(check_seed(SEED));
-  case_shape shape;
-  case_collider c, lazy;
+  case_shape shape = {0};
+  case_collider c = {0}, lazy = {0};
   unsigned long refined[CASE_HULL + 1] = {0};
-  memset(&shape, 0, sizeof shape);
-  memset(&c, 0, sizeof c);
-  memset(&lazy, 0, sizeof lazy);
   for (int i = 0; i < TRIALS; i++) {
     check_trial((unsigned long)i, NULL, NULL);
     const case_kind kind = generate_kind(&random);

@@ -10,9 +10,9 @@
 #include "gjk/height_field.h"
 #include "gjk/surface.h"
 #include "parts_answers.h"
+#include "parts_brute.h"
+#include "placed.h"
 #include "reference/random_shape.h"
-#include "src/motion/gjk_impact.h"
-#include "src/parts/gjk_parts_class.h"
 
 #define SEED UINT64_C(0x42727574)
 #define TRIALS 90
@@ -38,15 +38,11 @@ static void show(const void *subject) {
          (long)p->rotation.z, (long)p->rotation.w);
 }
 
-static void place(const trial *t, uint32_t number, gjk_parts_room *room, gjk_collider *out) {
-  CHECK(gjk_parts_place(&t->parts, number, room, out) == GJK_OK);
-}
-
 static void make_body(random_state *random, trial *t, int32_t step) {
   static const case_kind kinds[] = {CASE_BOX, CASE_POINT, CASE_SEGMENT, CASE_HULL};
   gjk_parts_room room;
   gjk_collider triangle;
-  place(t, random_below(random, t->ground.triangle_count), &room, &triangle);
+  CHECK(gjk_parts_place(&t->parts, random_below(random, t->ground.triangle_count), &room, &triangle) == GJK_OK);
   random_shape(random, kinds[random_below(random, 4)], 1 + (gjk_q16)(step * 2 * random_unit(random)), &t->source);
   const gjk_vec3 off = random_vector(random, 3.0 * step * random_unit(random) * random_unit(random));
   t->source.pose.position.x = triangle.centre.x + off.x;
@@ -62,35 +58,17 @@ static void check_depth(random_state *random, const trial *t) {
   const gjk_collider *b = &t->body.collider;
   gjk_parts_room room;
   gjk_collider c;
-  gjk_penetration_result best, trial_result, answer;
-  uint32_t deepest = GJK_PARTS_NONE, part, equal = 0;
-  gjk_status of_best = GJK_OK;
-  gjk_q16 lower = 0;
-  memset(&best, 0, sizeof best);
-  for (uint32_t i = 0; i < t->ground.triangle_count; i++) {
-    place(t, i, &room, &c);
-    const gjk_status status = gjk_penetration(&c, b, NULL, &workspace, &trial_result);
-    CHECK(status == GJK_OK || status == GJK_ERROR_CAPACITY);
-    if (!trial_result.intersecting) {
-      continue;
-    }
-    lower = trial_result.lower > lower ? trial_result.lower : lower;
-    equal += deepest != GJK_PARTS_NONE && trial_result.depth == best.depth;
-    if (deepest == GJK_PARTS_NONE || trial_result.depth > best.depth) {
-      deepest = i;
-      of_best = status;
-      best = trial_result;
-    }
-  }
-  best.lower = lower;
+  gjk_penetration_result best, answer;
+  uint32_t part;
+  gjk_status of_best;
+  const uint32_t deepest = brute_depth(&t->parts, b, &workspace, &best, &of_best, &tally.ties);
   CHECK(gjk_parts_penetration(&t->parts, b, &workspace, &part, &answer) == of_best);
   CHECK(part == deepest && answer.intersecting == (deepest != GJK_PARTS_NONE));
   CHECK(deepest == GJK_PARTS_NONE || same_penetration(&answer, &best));
-  tally.ties += equal;
   tally.deep += deepest != GJK_PARTS_NONE;
   tally.apart += deepest == GJK_PARTS_NONE;
   if (deepest != GJK_PARTS_NONE && of_best == GJK_OK) {
-    place(t, part, &room, &c);
+    CHECK(gjk_parts_place(&t->parts, part, &room, &c) == GJK_OK);
     answer.lower = answer.depth;
     CHECK(gjk_check_penetration(&c, b, &answer) == GJK_OK);
     answer.depth++;
@@ -106,7 +84,7 @@ static void check_distance(const trial *t) {
   gjk_distance_result answer;
   uint32_t part;
   CHECK(gjk_parts_distance(&t->parts, b, &part, &answer) == GJK_OK);
-  place(t, part, &room, &c);
+  CHECK(gjk_parts_place(&t->parts, part, &room, &c) == GJK_OK);
   CHECK(gjk_check_distance(&c, b, &answer) == GJK_OK);
   if (!answer.intersecting) {
     answer.distance--;
@@ -126,30 +104,19 @@ static void check_cast(random_state *random, const trial *t, int32_t step) {
                               random_below(random, 2) == 0 ? 0 : step / 8};
   gjk_parts_room room;
   gjk_collider c;
-  gjk_cast_result best, one, answer;
-  uint32_t first = GJK_PARTS_NONE, part;
-  memset(&best, 0, sizeof best);
-  for (uint32_t i = 0; i <= t->ground.triangle_count; i++) {
-    const uint32_t number = i < t->ground.triangle_count ? i : first;  // in the end the first again
-    if (number == GJK_PARTS_NONE) {
-      break;
-    }
-    place(t, number, &room, &c);
-    const gjk_vec3 end = {c.position.x + more.x, c.position.y + more.y, c.position.z + more.z};
-    const gjk_cast_path own = {path.to_a != NULL ? &end : NULL, &to, path.margin};
-    CHECK(gjk_cast(&c, b, &own, &one) == GJK_OK);
-    if (one.hit && (first == GJK_PARTS_NONE || one.fraction < best.fraction ||
-                    (one.fraction == best.fraction && one.inside && !best.inside))) {
-      first = number;
-      best = one;
-    }
-    if (i == t->ground.triangle_count) {
-      CHECK(gjk_check_cast(&c, b, &own, &one) == GJK_OK);
-      if (!one.inside && path.margin == 0 && t->source.convex_radius == 0) {
-        one.fraction++;
-        CHECK(gjk_check_cast(&c, b, &own, &one) == GJK_ERROR_UNPROVEN);
-        tally.refused++;
-      }
+  gjk_cast_result best, answer;
+  uint32_t part;
+  const uint32_t first = brute_cast(&t->parts, b, &path, &best);
+  if (first != GJK_PARTS_NONE) {
+    gjk_vec3 end;
+    gjk_cast_result claim = best;
+    CHECK(gjk_parts_place(&t->parts, first, &room, &c) == GJK_OK);
+    const gjk_cast_path own = brute_path(&t->parts, &c, &path, &end);
+    CHECK(gjk_check_cast(&c, b, &own, &claim) == GJK_OK);
+    if (!claim.inside && path.margin == 0 && t->source.convex_radius == 0) {
+      claim.fraction++;
+      CHECK(gjk_check_cast(&c, b, &own, &claim) == GJK_ERROR_UNPROVEN);
+      tally.refused++;
     }
   }
   CHECK(gjk_parts_cast(&t->parts, b, &path, &part, &answer) == GJK_OK);
@@ -166,14 +133,13 @@ static gjk_distance_result gap_at(trial *t, const gjk_motion motion[2], gjk_q30 
   gjk_parts_room room;
   gjk_collider c;
   gjk_pose pose;
-  gjk_distance_result least, one;
-  memset(&least, 0, sizeof least);
+  gjk_distance_result least = {0}, one;
   least.distance = GJK_DISTANCE_MAX;
   CHECK(gjk_motion_pose(&motion[0], fraction, &moved.parts.pose) == GJK_OK);
   CHECK(gjk_motion_pose(&motion[1], fraction, &pose) == GJK_OK);
   CHECK(gjk_collider_pose(&moved.body.collider, &pose) == GJK_OK);
   for (uint32_t i = 0; i < t->ground.triangle_count; i++) {
-    place(&moved, i, &room, &c);
+    CHECK(gjk_parts_place(&moved.parts, i, &room, &c) == GJK_OK);
     CHECK(gjk_distance(&c, &moved.body.collider, NULL, &one) == GJK_OK);
     if (one.distance < least.distance || one.intersecting) {
       least = one;
@@ -189,13 +155,10 @@ static void check_impact(random_state *random, trial *t, int32_t step) {
   const gjk_impact_setup setup = {random_below(random, 2) == 0 ? 0 : step / 16, 256 + step / 256, 0};
   const gjk_vec3 by = random_vector(random, 6.0 * step), drift = random_vector(random, 2.0 * step);
   gjk_motion motion[2];
-  gjk_impact_result best, one, answer;
-  gjk_parts_room room;
-  gjk_parts_local local;
-  gjk_collider c;
-  uint32_t first = GJK_PARTS_NONE, part;
+  gjk_impact_result best, answer;
+  uint32_t part;
+  bool limited;
   memset(motion, 0, sizeof motion);
-  memset(&best, 0, sizeof best);
   motion[0].from = motion[0].to = t->parts.pose;
   if (random_below(random, 2) == 0) {
     motion[0].to.position.x += drift.x;
@@ -212,18 +175,8 @@ static void check_impact(random_state *random, trial *t, int32_t step) {
   if (random_below(random, 2) == 0) {
     motion[1].spin = random_vector(random, 300000);
   }
-  for (uint32_t i = 0; i < t->ground.triangle_count; i++) {
-    t->parts.type->local(t->parts.data, i, &room, &local);
-    CHECK(gjk_collider_init(&c, local.shape, NULL, 0) == GJK_OK);
-    const gjk_carried of[2] = {{&c, &motion[0], local.own, t->parts.type->reach(t->parts.data)},
-                               {&t->body.collider, &motion[1], NULL, 0}};
-    CHECK(gjk_impact_of_carried(of, &setup, gjk_pose_compose, &one) == GJK_OK);
-    if (one.hit && (first == GJK_PARTS_NONE || one.lower < best.lower ||
-                    (one.lower == best.lower && one.overlap && !best.overlap))) {
-      first = i;
-      best = one;
-    }
-  }
+  const uint32_t first = brute_impact(&t->parts, motion, &t->body.collider, &setup, &best, &limited);
+  CHECK(!limited);
   CHECK(gjk_parts_time_of_impact(&t->parts, &motion[0], &t->body.collider, &motion[1], &setup, &part, &answer) ==
         GJK_OK);
   CHECK_MSG(part == first && answer.hit == (first != GJK_PARTS_NONE), "triangle %ld not %ld", (long)part, (long)first);
@@ -284,10 +237,9 @@ static void refuse(const gjk_parts *a, const gjk_collider *b, gjk_status expecte
 static void check_refusals(gjk_parts good) {
   static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
   static const gjk_pose identity = GJK_POSE_IDENTITY;
-  gjk_collider b, never;
+  gjk_collider never = {0};
   gjk_parts bad = good;
-  memset(&never, 0, sizeof never);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_collider b = posed(&crate, &identity);
   refuse(NULL, &b, GJK_ERROR_NULL);
   refuse(&good, NULL, GJK_ERROR_NULL);
   refuse(&good, &never, GJK_ERROR_UNINITIALISED);
@@ -312,10 +264,9 @@ static void check_too_long(void) {
   gjk_mesh_triangle triangle = {{0, 1, 2}};
   gjk_mesh_node node;
   gjk_mesh mesh;
-  gjk_collider b;
   gjk_surface_contact found;
   CHECK(gjk_mesh_build(corners, 3, &triangle, 1, false, &node, 1, &mesh) == GJK_OK);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_collider b = posed(&crate, &identity);
   const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
   for (int k = 0; k < 7; k++) {
     static const int32_t far = GJK_MESH_COORDINATE_MAX;
@@ -342,12 +293,11 @@ static void check_all_refusals(void) {
   gjk_compound_node node;
   gjk_compound compound;
   gjk_mesh mesh;
-  gjk_collider b;
   uint16_t count = 77;
   const gjk_pose identity = GJK_POSE_IDENTITY;
   CHECK(gjk_mesh_build(corners, 3, &triangle, 1, false, &mesh_node, 1, &mesh) == GJK_OK);
   CHECK(gjk_compound_build(&of_one, 1, &node, 1, &compound) == GJK_OK);
-  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_collider b = posed(&crate, &identity);
   const gjk_parts of_mesh = GJK_PARTS_OF_MESH(&mesh), of_field = GJK_PARTS_OF_HEIGHT_FIELD(&field);
   const gjk_parts of_none = GJK_PARTS_OF_HEIGHT_FIELD(&none), of_compound = GJK_PARTS_OF_COMPOUND(&compound);
   check_refusals(of_mesh);
@@ -389,8 +339,7 @@ int main(void) {
     const int32_t step = 1 << random_range(&random, 5, 18);
     surface_make(&random, (surface_kind)(i % SURFACE_KINDS), 1 + random_below(&random, 80), step,
                  random_below(&random, 2) == 0, &t.ground);
-    const gjk_parts made = GJK_PARTS_OF_MESH(&t.ground.mesh);
-    t.parts = made;
+    t.parts = (gjk_parts)GJK_PARTS_OF_MESH(&t.ground.mesh);
     t.parts.pose.position = random_vector(&random, random_below(&random, 2) == 0 ? 100000 : 1.0e9);
     if (random_below(&random, 3) > 0) {
       t.parts.pose.rotation = random_rotation(&random);

@@ -1,6 +1,5 @@
 // What must not change an answer: the order of vertices, which shape is A, where in the world the pair stands, the
 // direction of the axes, and whether a box is written as a box or as a hull.
-#include <string.h>
 
 #include "check.h"
 #include "exact/exact.h"
@@ -28,10 +27,9 @@ typedef struct subject {
 
 static answer find_answer(subject *s, const case_shape *shape_a, const case_shape *shape_b, gjk_q16 distance) {
   const gjk_collider *a = &s->a.collider, *b = &s->b.collider;
-  answer found;
+  answer found = {0};
   gjk_distance_result r;
   gjk_decision touch, within, beyond;
-  memset(&found, 0, sizeof found);
   found.posed =
       case_collider_build(&s->a, shape_a, false) == GJK_OK && case_collider_build(&s->b, shape_b, false) == GJK_OK;
   if (!found.posed || gjk_distance(a, b, NULL, &r) != GJK_OK || gjk_intersect(a, b, NULL, &touch) != GJK_OK) {
@@ -190,8 +188,7 @@ static gjk_vec3 turn(gjk_vec3 v, unsigned order, unsigned reversed, int32_t offs
     const gjk_q16 from = x[(order < 3 ? order + i : order + 3 - i) % 3];
     y[i] = (reversed >> i & 1u) != 0 ? offset - from : from;
   }
-  const gjk_vec3 turned = {y[0], y[1], y[2]};
-  return turned;
+  return (gjk_vec3){y[0], y[1], y[2]};
 }
 
 static void turn_shape(case_shape *shape, unsigned order, unsigned reversed) {
@@ -244,8 +241,6 @@ int main(void) {
   CHECK(s.changes > 50 * pairs);
   CHECK(s.points[0] > pairs && s.points[1] > pairs);
   case_pair_free(&s.original);
-  case_pair_free(&s.changed);
-  case_collider_free(&s.a);
-  case_collider_free(&s.b);
+  case_pair_release(&s.changed, &s.a, &s.b);
   return check_done("symmetry");
 }

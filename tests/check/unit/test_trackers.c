@@ -42,9 +42,8 @@ static void expect(bool holds, const case_pair *pair, const char *what) {
 
 static bool decides(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, bool yes) {
   gjk_decision d;
-  gjk_cache cache;
+  gjk_cache cache = {0};
   char why[128];
-  memset(&cache, 0, sizeof cache);
   for (int pass = 0; pass < 2; pass++) {  // cold, then warm
     if (gjk_within(a, b, distance, &cache, &d) != GJK_OK || d.yes != yes ||
         !exact_check_decision(a, b, distance, &d, why, sizeof why) ||
@@ -105,15 +104,12 @@ static void check_flat(const case_pair *pair, const gjk_collider *a, const gjk_c
   expect(pair->a.kind == CASE_HULL && pair->b.kind == CASE_HULL && depth < PRISM, pair, "hulls");
   raise_prism(a->shape->vertices == pair->a.vertices ? &pair->a : &pair->b, &prisms.a);
   raise_prism(a->shape->vertices == pair->a.vertices ? &pair->b : &pair->a, &prisms.b);
-  const bool built = case_collider_build(&prism_a, &prisms.a, false) == GJK_OK &&
-                     case_collider_build(&prism_b, &prisms.b, false) == GJK_OK;
+  const bool built = case_pair_build(&prisms, false, &prism_a, &prism_b);
   expect(built, pair, "the prisms can be posed");
   if (built) {
     check_depth(&prisms, &prism_a.collider, &prism_b.collider, depth);
   }
-  case_pair_free(&prisms);
-  case_collider_free(&prism_a);
-  case_collider_free(&prism_b);
+  case_pair_release(&prisms, &prism_a, &prism_b);
 }
 
 static void check_one_way(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, const truth *t) {
@@ -143,8 +139,7 @@ static void check_one_way(const case_pair *pair, const gjk_collider *a, const gj
 }
 
 static void check_case(const case_pair *pair, case_collider *a, case_collider *b, const truth *t) {
-  const bool built =
-      case_collider_build(a, &pair->a, false) == GJK_OK && case_collider_build(b, &pair->b, false) == GJK_OK;
+  const bool built = case_pair_build(pair, false, a, b);
   expect(built, pair, "the pair can be posed");
   if (built) {
     check_one_way(pair, &a->collider, &b->collider, t);
@@ -173,11 +168,8 @@ static unsigned check_truth(const case_pair *pair, const gjk_collider *a, const 
 static void run(FILE *file, const char *name) {
   static truth truths[CASES + 1];
   static case_reader reader;
-  case_pair pair;
-  case_collider a, b;
-  memset(&pair, 0, sizeof pair);
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
+  case_pair pair = {0};
+  case_collider a = {0}, b = {0};
   const size_t known = read_truths(file, truths, CASES + 1);
   size_t count = 0;
   unsigned by_brute = 0;
@@ -193,9 +185,7 @@ static void run(FILE *file, const char *name) {
   CHECK(count == CASES);
   CHECK(reader.errors == 0);
   CHECK(by_brute >= CASES / 3);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
 }
 
 int main(int argc, char **argv) {

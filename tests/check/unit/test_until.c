@@ -4,6 +4,8 @@
 
 #include "check.h"
 #include "generate/generate.h"
+#include "placed.h"
+#include "random_vec.h"
 #include "reference/random_shape.h"
 
 #define SEED 77000
@@ -50,8 +52,7 @@ static bool is_cut(const gjk_distance_result *r) {
 
 static void check_iterations(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full,
                              int32_t slack, const char *id, tally *t) {
-  gjk_distance_result part, before;
-  memset(&before, 0, sizeof before);
+  gjk_distance_result part, before = {0};
   before.upper = GJK_DISTANCE_MAX;
   for (uint8_t iterations = 1; iterations < full->iterations + 2; iterations++) {
     const gjk_effort effort = {iterations, 0};
@@ -100,10 +101,8 @@ static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk
 }
 
 static void check_pair(const case_pair *pair, case_collider *a, case_collider *b, int32_t slack, tally *t) {
-  gjk_distance_result full;
-  memset(&full, 0, sizeof full);
-  if (case_collider_build(a, &pair->a, false) != GJK_OK || case_collider_build(b, &pair->b, false) != GJK_OK ||
-      gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
+  gjk_distance_result full = {0};
+  if (!case_pair_build(pair, false, a, b) || gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
     CHECK_MSG(false, "%s", pair->id);
     return;
   }
@@ -120,9 +119,7 @@ static void random_slender(random_state *random, gjk_vec3 corner[3]) {
   const gjk_q16 reach = GJK_Q16(2000.0);
   const gjk_q16 width = INT32_C(1) << random_below(random, 22);
   for (int i = 0; i < 2; i++) {
-    corner[i].x = random_range(random, -reach, reach);
-    corner[i].y = random_range(random, -reach, reach);
-    corner[i].z = random_range(random, -reach, reach);
+    corner[i] = random_in_cube(random, reach);
   }
   const bool middle = random_below(random, 2) == 0;
   corner[2].x = (middle ? (corner[0].x + corner[1].x) / 2 : corner[0].x) + random_range(random, -width, width);
@@ -133,12 +130,8 @@ static void random_slender(random_state *random, gjk_vec3 corner[3]) {
 // The distance of a point from a shape, rounded to LSB.
 static gjk_q16 off_shape(const gjk_vec3 *point, const gjk_collider *shape) {
   static const gjk_shape dot = GJK_POINT;
-  gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider at = {0};
+  const gjk_collider at = placed(&dot, *point);
   gjk_distance_result result;
-  pose.position = *point;
-  CHECK(gjk_collider_init(&at, &dot, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&at, &pose) == GJK_OK);
   CHECK(gjk_distance(&at, shape, NULL, &result) == GJK_OK);
   return result.distance;
 }
@@ -154,13 +147,7 @@ static void test_slender_triangles(void) {
     random_slender(&random, corners[0]);
     random_slender(&random, corners[1]);
     const gjk_shape shape_a = GJK_TRIANGLE(corners[0]), shape_b = GJK_TRIANGLE(corners[1]);
-    gjk_pose pose = GJK_POSE_IDENTITY;
-    gjk_collider a = {0}, b = {0};
-    CHECK(gjk_collider_init(&a, &shape_a, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_init(&b, &shape_b, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&a, &pose) == GJK_OK);
-    pose.position = random_vector(&random, GJK_Q16(2000.0));
-    CHECK(gjk_collider_pose(&b, &pose) == GJK_OK);
+    const gjk_collider a = placed_at(&shape_a, 0, 0, 0), b = placed(&shape_b, random_vector(&random, GJK_Q16(2000.0)));
     for (uint8_t iterations = 1; iterations <= 5; iterations++) {
       const gjk_effort effort = {iterations, 0};
       gjk_distance_result part;
@@ -210,12 +197,9 @@ static void test_statuses(void) {
 }
 
 int main(void) {
-  case_pair pair;
-  case_collider a, b;
+  case_pair pair = {0};
+  case_collider a = {0}, b = {0};
   tally t = {0, 0, 0, 0}, curved = {0, 0, 0, 0};
-  memset(&pair, 0, sizeof pair);
-  memset(&a, 0, sizeof a);
-  memset(&b, 0, sizeof b);
   test_statuses();
   test_slender_triangles();
   for (unsigned f = 0; f < generate_family_count; f++) {
@@ -241,8 +225,6 @@ int main(void) {
   CHECK(curved.open > 2000);
   CHECK(curved.exact > 1000);
   CHECK(curved.by_error > 1000);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
   return check_done("until");
 }

@@ -3,7 +3,7 @@
 
 #include "check.h"
 #include "exact/integer.h"
-#include "random.h"
+#include "random_vec.h"
 #include "src/arith/gjk_vector.h"
 
 #define SEED 4096
@@ -299,8 +299,7 @@ static void test_products(void) {
   for (int i = 0; i < trials; i++) {
     check_trial((unsigned long)i, NULL, NULL);
     const int32_t size = (INT32_C(1) << 30) / (i % 3 == 0 ? 1 : 1 << random_below(&random, 28));
-    const gjk_vec3 a = {random_range(&random, -size, size), random_range(&random, -size, size),
-                        random_range(&random, -size, size)},
+    const gjk_vec3 a = random_in_cube(&random, size),
                    b = {random_range(&random, -size, size), random_range(&random, -size, size), 1},
                    v = i % 4 == 0 ? a : b;
     gjk_long3 n;

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "exact/exact.h"
 #include "generate/generate.h"
+#include "placed.h"
 #include "reference/random_shape.h"
 
 #define PAIRS_PER_FAMILY ((int)check_trials(200))
@@ -90,8 +91,7 @@ static void check_cache(campaign *c, gjk_q16 distance, uint8_t iterations, const
 }
 
 static void check_distance(campaign *c, gjk_q16 distance) {
-  gjk_decision full;
-  memset(&full, 0, sizeof full);
+  gjk_decision full = {0};
   CHECK_MSG(gjk_within(&c->a.collider, &c->b.collider, distance, NULL, &full) == GJK_OK, "%s", c->pair.id);
   for (unsigned iterations = 0; iterations < full.iterations + 2u; iterations++) {
     check_iterations(c, distance, (uint8_t)iterations, &full);
@@ -103,8 +103,7 @@ static void check_distance(campaign *c, gjk_q16 distance) {
 
 static void check_pair(campaign *c) {
   gjk_distance_result gap;
-  if (case_collider_build(&c->a, &c->pair.a, false) != GJK_OK ||
-      case_collider_build(&c->b, &c->pair.b, false) != GJK_OK ||
+  if (!case_pair_build(&c->pair, false, &c->a, &c->b) ||
       gjk_distance(&c->a.collider, &c->b.collider, NULL, &gap) != GJK_OK) {
     CHECK_MSG(false, "%s", c->pair.id);
     return;
@@ -123,13 +122,10 @@ static void check_pair(campaign *c) {
 
 static void test_statuses(void) {
   static const gjk_shape ball = GJK_SPHERE(5);
-  const gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_collider a = {0}, b = {0};
+  const gjk_collider a = placed_at(&ball, 0, 0, 0), b = {0};
   gjk_within_result out, poison;
   memset(&poison, POISON, sizeof poison);
   out = poison;
-  CHECK(gjk_collider_init(&a, &ball, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&a, &pose) == GJK_OK);
   CHECK(gjk_within_until(NULL, &a, 0, 1, NULL, &out) == GJK_ERROR_NULL);
   CHECK(gjk_within_until(&a, NULL, 0, 1, NULL, &out) == GJK_ERROR_NULL);
   CHECK(gjk_within_until(&a, &a, 0, 1, NULL, NULL) == GJK_ERROR_NULL);
@@ -150,8 +146,7 @@ int main(int argc, char **argv) {
     for (int i = 0; i < PAIRS_PER_FAMILY; i++) {
       generate_pair(&generate_families[f], (seed << 32) + 9000 + (uint64_t)i, &c.pair);
       c.certain = true;
-      if (case_collider_build(&c.a, &c.pair.a, false) == GJK_OK &&
-          case_collider_build(&c.b, &c.pair.b, false) == GJK_OK) {
+      if (case_pair_build(&c.pair, false, &c.a, &c.b)) {
         c.certain = !exact_is_far(&c.a.collider, &c.b.collider);
       }
       check_pair(&c);
@@ -173,8 +168,6 @@ int main(int argc, char **argv) {
     CHECK(CURVED_PAIRS < 2000 || t->no > 100);
     CHECK(CURVED_PAIRS < 2000 || iterations == 1 || t->yes > 100);
   }
-  case_pair_free(&c.pair);
-  case_collider_free(&c.a);
-  case_collider_free(&c.b);
+  case_pair_release(&c.pair, &c.a, &c.b);
   return check_done("within-until");
 }

@@ -90,9 +90,7 @@ static void run(FILE *file, const char *name) {
   CHECK(known == CASES);
   CHECK(count == CASES);
   CHECK(reader.errors == 0);
-  case_pair_free(&pair);
-  case_collider_free(&a);
-  case_collider_free(&b);
+  case_pair_release(&pair, &a, &b);
 }
 
 int main(int argc, char **argv) {

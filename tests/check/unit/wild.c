@@ -1,11 +1,11 @@
 // A custom shape whose support function breaks all its promises. Queries of all kinds must end without undefined
 // behaviour, and the shape must stay within its bound. test_wild.sh builds it with a port that has no asserts.
 #include <stdlib.h>
-#include <string.h>
 
 #include "check.h"
 #include "gjk/gjk.h"
-#include "random.h"
+#include "placed.h"
+#include "random_vec.h"
 
 #define SEED 20250718
 #define TRIALS ((int)check_trials(4000))
@@ -52,19 +52,13 @@ static gjk_q16 random_bound(random_state *random) {
                                       : random_range(random, 0, INT32_C(1) << random_below(random, 28));
 }
 
-static gjk_collider placed(random_state *random, const gjk_shape *shape, gjk_q16 reach) {
+static gjk_collider anywhere(random_state *random, const gjk_shape *shape, gjk_q16 reach) {
   gjk_pose pose = GJK_POSE_IDENTITY;
   const gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000),
                       random_range(random, -1000, 1000), random_range(random, 1, 1000)};
   gjk_quat_normalize(&q, &pose.rotation);
-  pose.position.x = random_range(random, -reach, reach);
-  pose.position.y = random_range(random, -reach, reach);
-  pose.position.z = random_range(random, -reach, reach);
-  gjk_collider c;
-  memset(&c, 0, sizeof c);
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
-  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-  return c;
+  pose.position = random_in_cube(random, reach);
+  return posed(shape, &pose);
 }
 
 // Random support points are no shape, so a search among them may reach its ceiling.
@@ -102,16 +96,11 @@ static void test_pulled_back(void) {
   for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++) {
     const wild w = {WILD_CUBE, bounds[i], &random};
     const gjk_shape own = GJK_CUSTOM(wild_support, &w, bounds[i]), ball = GJK_SPHERE(bounds[i]), dot = GJK_POINT;
-    gjk_collider of_own = {0}, of_ball = {0}, of_dot = {0};
     gjk_pose pose = GJK_POSE_IDENTITY;
     gjk_distance_result found, expected;
-    CHECK(gjk_collider_init(&of_own, &own, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&of_own, &pose) == GJK_OK);
-    CHECK(gjk_collider_init(&of_ball, &ball, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&of_ball, &pose) == GJK_OK);
+    const gjk_collider of_own = posed(&own, &pose), of_ball = posed(&ball, &pose);
     pose.position.x = pose.position.y = pose.position.z = GJK_RADIUS_MAX + bounds[i];
-    CHECK(gjk_collider_init(&of_dot, &dot, NULL, 0) == GJK_OK);
-    CHECK(gjk_collider_pose(&of_dot, &pose) == GJK_OK);
+    const gjk_collider of_dot = posed(&dot, &pose);
     CHECK(gjk_distance(&of_own, &of_dot, NULL, &found) == GJK_OK);
     CHECK(gjk_distance(&of_ball, &of_dot, NULL, &expected) == GJK_OK);
     CHECK_MSG(labs((long)found.distance - expected.distance) <= 2, "bound %ld: %ld, not %ld", (long)bounds[i],
@@ -130,8 +119,8 @@ int main(void) {
     const gjk_shape box = GJK_BOX(w.bound / 2, w.bound / 3, 1), barrel = GJK_CYLINDER(w.bound / 2, w.bound / 3);
     const gjk_shape *const others[] = {&two, &box, &barrel, &one};
     const gjk_q16 reach = random_below(&random, 2) == 0 ? w.bound / 4 : INT32_C(1) << random_below(&random, 31);
-    const gjk_collider a = placed(&random, &one, reach);
-    const gjk_collider b = placed(&random, others[random_below(&random, 4)], reach);
+    const gjk_collider a = anywhere(&random, &one, reach);
+    const gjk_collider b = anywhere(&random, others[random_below(&random, 4)], reach);
     ask_all(&a, &b, trial);
   }
   test_pulled_back();

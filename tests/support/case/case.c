@@ -152,6 +152,16 @@ void case_collider_free(case_collider *collider) {
   collider->capacity = 0;
 }
 
+bool case_pair_build(const case_pair *pair, bool lazy, case_collider *a, case_collider *b) {
+  return case_collider_build(a, &pair->a, lazy) == GJK_OK && case_collider_build(b, &pair->b, lazy) == GJK_OK;
+}
+
+void case_pair_release(case_pair *pair, case_collider *a, case_collider *b) {
+  case_pair_free(pair);
+  case_collider_free(a);
+  case_collider_free(b);
+}
+
 gjk_cast_path case_path(const case_pair *pair, gjk_q16 margin) {
   const gjk_cast_path path = {.to_a = pair->a.moves ? &pair->a.end.position : NULL,
                               .to_b = pair->b.moves ? &pair->b.end.position : NULL,

@@ -72,6 +72,10 @@ void case_shape_copy(case_shape *to, const case_shape *from);
 // collider.
 gjk_status case_collider_build(case_collider *collider, const case_shape *shape, bool lazy);
 void case_collider_free(case_collider *collider);
+// Both shapes of a pair. False: one of them cannot be posed.
+bool case_pair_build(const case_pair *pair, bool lazy, case_collider *a, case_collider *b);
+// Frees the pair and its colliders.
+void case_pair_release(case_pair *pair, case_collider *a, case_collider *b);
 
 // The ways of a pair, for a cast and for an impact. The pair must outlive the path.
 gjk_cast_path case_path(const case_pair *pair, gjk_q16 margin);

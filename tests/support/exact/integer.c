@@ -128,6 +128,24 @@ int exact_compare(const exact_int *a, const exact_int *b) {
   return a->sign * compare_magnitudes(a, b);
 }
 
+exact_int exact_product(int64_t a, int64_t b) {
+  const exact_int x = exact_from(a), y = exact_from(b);
+  return exact_mul(&x, &y);
+}
+
+void exact_add_to(exact_int *sum, exact_int x) {
+  *sum = exact_add(sum, &x);
+}
+
+bool exact_is_rounded(int64_t value, exact_int x, exact_int y, int64_t scale, int half) {
+  const exact_int twice_scale = exact_from(2 * scale), offset = exact_from(half), low = exact_from(2 * value),
+                  high = exact_from(2 * (value + 1));
+  exact_int middle = exact_mul(&x, &twice_scale);
+  const exact_int below = exact_mul(&y, &low), above = exact_mul(&y, &high);
+  exact_add_to(&middle, exact_mul(&y, &offset));
+  return exact_compare(&below, &middle) <= 0 && exact_compare(&middle, &above) < 0;
+}
+
 double exact_to_double(const exact_int *a) {
   double value = 0;
   for (unsigned i = a->count; i-- > 0;) {

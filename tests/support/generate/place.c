@@ -12,8 +12,7 @@ typedef struct built_pair {
 } built_pair;
 
 static bool build(const case_pair *pair, built_pair *out) {
-  return case_collider_build(&out->a, &pair->a, false) == GJK_OK &&
-         case_collider_build(&out->b, &pair->b, false) == GJK_OK;
+  return case_pair_build(pair, false, &out->a, &out->b);
 }
 
 static void release(built_pair *built) {
