@@ -88,6 +88,5 @@ echo
 rest || exit 1
 echo "all of it: $build/bench-scene.csv; plots: make bench, or again with its figures of before: $build/bench.html"
 if [ -f "$build/bench.csv" ]; then
-  make -s "$build/gjk-bench-report" >/dev/null &&
-    "$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" "$build/bench-scene.csv" >/dev/null
+  python3 -B tests/measure/bench/report/report.py "$build/bench.csv" "$build/bench.html" "$build/bench-scene.csv" >/dev/null
 fi

@@ -23,7 +23,7 @@ find_peer bullet Bullet libbullet-dev
 find_peer fcl FCL libfcl-dev
 
 rm -f "$build/gjk-bench"
-make -s "$build/gjk-bench" "$build/gjk-bench-report" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
+make -s "$build/gjk-bench" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
   { cat "$dir/make.log"; exit 1; }
 
 # Callgrind writes a dump for each family, query and method, on so many pairs. It cannot read the debug information of
@@ -62,5 +62,5 @@ timeout $((seconds + pairs / 2 + 300)) "$build/gjk-bench" --pairs "$pairs" --sec
 { cat "$dir/run.csv" "$dir/instructions.csv"; about; } >"$build/bench.csv"
 scenes=$build/bench-scene.csv  # of make bench-scene, if that was run
 [ -f "$scenes" ] || scenes=
-"$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" ${scenes:+"$scenes"} || exit 1
+python3 -B tests/measure/bench/report/report.py "$build/bench.csv" "$build/bench.html" ${scenes:+"$scenes"} || exit 1
 echo "figures: $build/bench.csv, page: $build/bench.html"
