@@ -345,7 +345,7 @@ build/gjk-plane-alone: $(PLANE) $(SUPPORT) $(HOST_LIB)
 	$(info $()  $@)
 	@$(CC) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-# Firmware NAME for the target's emulated board is built of NAME.c and NAME_firmware.c of tests/check/target or
+# Firmware NAME for the target's emulated board is built of NAME.c, and NAME_firmware.c if there is one, of tests/check/target or
 # tests/measure/target. -fno-tree-loop-distribute-patterns: memset and start-up code clear memory in loops, which the compiler
 # must not turn into calls of memset.
 
@@ -362,6 +362,10 @@ $(OUT)/%.elf: tests/check/target/%.c tests/check/target/%_firmware.c $(OUT)/%.el
 	@$(FIRMWARE)
 
 $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
+	$(info $()  $@)
+	@$(FIRMWARE)
+
+$(OUT)/%.elf: tests/measure/target/%.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
 	$(info $()  $@)
 	@$(FIRMWARE)
 
