@@ -99,12 +99,6 @@ bool exact2_cast_set(const gjk2_collider *a, const gjk2_collider *b, const gjk2_
   return true;
 }
 
-void exact2_cast_free(exact2_cast *cast) {
-  exact2_posed_free(&cast->at_a);
-  exact2_posed_free(&cast->at_b);
-  exact_difference_free(&cast->difference);
-}
-
 // Is the point within so many LSB of the shape moved by a vector? By the oracle of the plane.
 static bool is_of_shape(const gjk2_vec *point, const exact2_posed *shape, const gjk2_vec *from, const gjk2_vec *to,
                         int64_t limit) {
