@@ -230,13 +230,12 @@ build/gjk-demo-platform: build/hosted/tests/programs/demo_platform/main.o build/
 	$(info $()  $@)
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -o $@
 
-# The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet, fcl and ode.
+# The benchmark. BENCH_PEERS: other libraries to measure, out of ccd, bullet, fcl and ode.
 
 BENCH_PEERS ?=
 BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) \
   $(patsubst %,build/hosted/tests/measure/bench/peer/%.o,$(filter-out ode,$(BENCH_PEERS)))
 COST := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/cost/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/cost/peer/%.o)
-BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/report/*.c) tests/programs/demo/svg.c tests/programs/demo/labels.c)
 PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
 PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
   $(DEPENDENCIES)
@@ -346,11 +345,7 @@ build/gjk-plane-alone: $(PLANE) $(SUPPORT) $(HOST_LIB)
 	$(info $()  $@)
 	@$(CC) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-build/gjk-bench-report: $(BENCH_REPORT)
-	$(info $()  $@)
-	@$(CC) $^ -lm -o $@
-
-# Firmware NAME for the target's emulated board is built of NAME.c and NAME_firmware.c of tests/check/target or
+# Firmware NAME for the target's emulated board is built of NAME.c, and NAME_firmware.c if there is one, of tests/check/target or
 # tests/measure/target. -fno-tree-loop-distribute-patterns: memset and start-up code clear memory in loops, which the compiler
 # must not turn into calls of memset.
 
@@ -367,6 +362,10 @@ $(OUT)/%.elf: tests/check/target/%.c tests/check/target/%_firmware.c $(OUT)/%.el
 	@$(FIRMWARE)
 
 $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
+	$(info $()  $@)
+	@$(FIRMWARE)
+
+$(OUT)/%.elf: tests/measure/target/%.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
 	$(info $()  $@)
 	@$(FIRMWARE)
 

@@ -18,19 +18,10 @@ find_cost_peers >&2
 make -s "$build/gjk-cost" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 || { cat "$dir/make.log"; exit 1; }
 program=$build/gjk-cost
 
-# Callgrind writes a dump for each family, method and mode. It cannot read the debug information of every compiler.
-count() {
-  echo "instructions: $pairs pairs of each family under callgrind" >&2
-  rm -f "$dir"/cost.callgrind.*
-  strip -g -o "$dir/gjk-cost" "$program" || return 1
-  valgrind --tool=callgrind --branch-sim=yes --instr-atstart=no --callgrind-out-file="$dir/cost.callgrind" \
-    "$dir/gjk-cost" --pairs "$pairs" --count 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log" >&2; return 1; }
-  find "$dir" -name 'cost.callgrind.*' -exec awk -v pairs="$pairs" -f tests/build/callgrind.awk {} +
-  rm -f "$dir"/cost.callgrind* "$dir/gjk-cost"
-}
 : >"$dir/counted.csv"
 if have valgrind; then
-  count >"$dir/counted.csv" || exit 1
+  echo "instructions: $pairs pairs of each family under callgrind" >&2
+  counted "$pairs" "$dir" --branch-sim=yes "$program" --pairs "$pairs" --count 1 >"$dir/counted.csv" || exit 1
 else
   skip 'instructions and branch mispredictions' valgrind
 fi

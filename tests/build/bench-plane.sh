@@ -18,13 +18,7 @@ find_plane_peers >&2
 make -s build/gjk-plane PLANE_PEERS="$plane_peers" >"$dir/plane.log" 2>&1 || { cat "$dir/plane.log"; exit 1; }
 : >"$dir/plane.counted"
 if have valgrind; then
-  rm -f "$dir"/plane.callgrind*
-  # Callgrind cannot read the debug information of every compiler.
-  strip -g -o "$dir/gjk-plane" build/gjk-plane || exit 1
-  valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$dir/plane.callgrind" "$dir/gjk-plane" count "$pairs" \
-    2>"$dir/valgrind.log" || { cat "$dir/valgrind.log" >&2; exit 1; }
-  awk -v pairs="$pairs" -f tests/build/callgrind.awk "$dir"/plane.callgrind* >"$dir/plane.counted"
-  rm -f "$dir"/plane.callgrind* "$dir/gjk-plane"
+  counted "$pairs" "$dir" --branch-sim=no build/gjk-plane count "$pairs" >"$dir/plane.counted" || exit 1
 else
   skip 'instructions in the plane' valgrind
 fi

@@ -13,13 +13,8 @@ rest() {
   [ -n "$(find "$dir" -name recorded -newer "$build/gjk-rest")" ] || { "$build/gjk-rest" record "$dir" && : >"$dir/recorded"; } || return 1
   "$build/gjk-rest" time "$dir" >"$dir/rest.csv" || return 1
   if have valgrind; then
-    rm -f "$dir"/rest.callgrind*
-    strip -g -o "$dir/gjk-rest" "$build/gjk-rest"
-    valgrind --tool=callgrind --branch-sim=yes --instr-atstart=no --callgrind-out-file="$dir/rest.callgrind" \
-      "$dir/gjk-rest" count "$dir" 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log"; return 1; }
-    find "$dir" -name 'rest.callgrind.*' -exec awk -v pairs=20 -f tests/build/callgrind.awk {} + |
-      sed 's/,\([a-z]*\),\([0-9.]*\)$/;\1;\2/' >>"$dir/rest.csv"
-    rm -f "$dir"/rest.callgrind* "$dir/gjk-rest"
+    counted 20 "$dir" --branch-sim=yes "$build/gjk-rest" count "$dir" >"$dir/rest.counted" || return 1
+    sed 's/,\([a-z]*\),\([0-9.]*\)$/;\1;\2/' "$dir/rest.counted" >>"$dir/rest.csv"
   else
     skip 'instructions and branch mispredictions' valgrind
   fi
@@ -87,7 +82,6 @@ awk -F, '
 echo
 rest || exit 1
 echo "all of it: $build/bench-scene.csv; plots: make bench, or again with its figures of before: $build/bench.html"
-if [ -f "$build/bench.csv" ]; then
-  make -s "$build/gjk-bench-report" >/dev/null &&
-    "$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" "$build/bench-scene.csv" >/dev/null
+if [ -f "$build/bench.csv" ] && have python3; then
+  python3 -B tests/measure/bench/report/report.py "$build/bench.csv" "$build/bench.html" "$build/bench-scene.csv" >/dev/null
 fi

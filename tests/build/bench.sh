@@ -23,24 +23,15 @@ find_peer bullet Bullet libbullet-dev
 find_peer fcl FCL libfcl-dev
 
 rm -f "$build/gjk-bench"
-make -s "$build/gjk-bench" "$build/gjk-bench-report" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
+make -s "$build/gjk-bench" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
   { cat "$dir/make.log"; exit 1; }
 
-# Callgrind writes a dump for each family, query and method, on so many pairs. It cannot read the debug information of
-# every compiler.
-counted=20
-count_instructions() {
-  echo "instructions: one pass over $counted pairs of each family under callgrind" >&2
-  rm -f "$dir"/callgrind.*
-  strip -g -o "$dir/gjk-bench" "$build/gjk-bench" || exit 1
-  valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$dir/callgrind" \
-    "$dir/gjk-bench" --pairs $counted --instructions 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log"; exit 1; }
-  awk -v pairs=$counted -f tests/build/callgrind.awk "$dir"/callgrind.* | sed 's/,instructions,/&,/'
-  rm -f "$dir"/callgrind.* "$dir/gjk-bench"
-}
+pairs_counted=20
 : >"$dir/instructions.csv"
 if have valgrind; then
-  count_instructions >"$dir/instructions.csv"
+  echo "instructions: one pass over $pairs_counted pairs of each family under callgrind" >&2
+  counted $pairs_counted "$dir" --branch-sim=no "$build/gjk-bench" --pairs $pairs_counted --instructions 1 >"$dir/counted.csv" || exit 1
+  sed 's/,instructions,/&,/' "$dir/counted.csv" >"$dir/instructions.csv"
 else
   skip 'instructions per query' valgrind
 fi
@@ -62,5 +53,10 @@ timeout $((seconds + pairs / 2 + 300)) "$build/gjk-bench" --pairs "$pairs" --sec
 { cat "$dir/run.csv" "$dir/instructions.csv"; about; } >"$build/bench.csv"
 scenes=$build/bench-scene.csv  # of make bench-scene, if that was run
 [ -f "$scenes" ] || scenes=
-"$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" ${scenes:+"$scenes"} || exit 1
-echo "figures: $build/bench.csv, page: $build/bench.html"
+echo "figures: $build/bench.csv"
+if have python3; then
+  python3 -B tests/measure/bench/report/report.py "$build/bench.csv" "$build/bench.html" ${scenes:+"$scenes"} || exit 1
+  echo "page: $build/bench.html"
+else
+  skip 'tables and the page' python3
+fi

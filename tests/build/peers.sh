@@ -1,4 +1,4 @@
-# Finds other libraries to measure. Source it after count.sh.
+# Finds other libraries to measure, and counts by callgrind. Source it after count.sh.
 peers=
 
 # find_peer PKG-CONFIG-NAME NAME DEBIAN-PACKAGE: adds one to $peers, or says what it needs.
@@ -33,4 +33,18 @@ find_plane_peers() {
       skip "bench of $2" "g++ $3"
     fi
   done
+}
+
+# counted PAIRS FOLDER OPTION PROGRAM ARGUMENT...: what callgrind counts of a program that names its dumps, as callgrind.awk says
+# it, in FOLDER. OPTION: --branch-sim=yes or no. Callgrind cannot read the debug information of every compiler.
+counted() {
+  counted_pairs=$1 counted_at=$2/callgrind counted_option=$3 counted_program=$4
+  shift 4
+  rm -rf "$counted_at"
+  mkdir -p "$counted_at"
+  strip -g -o "$counted_at/program" "$counted_program" || return 1
+  valgrind --tool=callgrind "$counted_option" --instr-atstart=no --callgrind-out-file="$counted_at/dump" "$counted_at/program" "$@" \
+    2>"$counted_at/log" || { cat "$counted_at/log" >&2; return 1; }
+  find "$counted_at" -name 'dump.*' -exec awk -v pairs="$counted_pairs" -f tests/build/callgrind.awk {} +
+  rm -rf "$counted_at"
 }

@@ -6,22 +6,13 @@ Exits with 0 if the hash over so many pairs is HASH, in hexadecimal digits.
 import sys
 
 import gjk
-from golden_set import ask, main, moved
+from golden_set import Pair, ask, main
 
 VERTICES = 16
 WORKSPACE = gjk.Workspace(20)
 
 
-class Pair:
-    """Two random bodies and the hash of what is asked about them."""
-
-    def __init__(self, random, hash):
-        self.random, self.hash = random, hash
-        self.size = 1 << (3 + random.below(23))
-        self.far = random.below(8) == 0
-        self.a = self.make_body()
-        self.b = self.make_body()
-
+class Set(Pair):
     def make_body(self):
         random = self.random
         make = self.make_shape()
@@ -71,10 +62,6 @@ class Pair:
             status, out = ask(gjk.within, self.a, self.b, distance, cache)
         self.hash.mix(status, out.yes)
 
-    def within_until(self, distance, iterations):
-        status, out = ask(gjk.within_until, self.a, self.b, distance, iterations)
-        self.hash.mix(status, out.answer)
-
     def distance_until(self, iterations, error):
         status, out = ask(gjk.distance_until, self.a, self.b, iterations, error)
         self.hash.mix(status, out.intersecting, out.distance, out.lower, out.upper)
@@ -93,32 +80,14 @@ class Pair:
         for contact in out:
             self.hash.mix(*contact.point_a, *contact.point_b, contact.distance, contact.id)
 
-    def approach(self, result):
-        """Moves B along the normal until the gap is near 0."""
-        by = result.distance + self.random.range(-2, 2)
-        self.b.move(moved(self.b.position, result.normal, by))
-        self.hash.mix(gjk.Status.OK)
-
     def query(self):
         cache = gjk.Cache()
-        result = self.distance(None)
-        self.decision(-1, None)
-        self.decision(result.distance, None)
-        result = self.distance(cache)
-        self.penetration(cache)
+        result = self.query_at_rest(cache)
         self.contacts(0)
         if not result.intersecting and not self.far:
-            self.approach(result)
-            result = self.distance(cache)
-            self.decision(-1, cache)
-            self.decision(1, None)
-            self.within_until(1 + self.size // 32, 1)
-            self.within_until(result.distance, 2)
-            self.distance_until(2, 0)
-            self.distance_until(0, 1 + self.size // 16)
-            self.penetration(None)
+            self.query_close(cache, result)
             self.contacts(self.size // 8)
 
 
 if __name__ == "__main__":
-    sys.exit(main(Pair, 2026, sys.argv[1:]))
+    sys.exit(main(Set, 2026, sys.argv[1:]))

@@ -60,6 +60,50 @@ def moved(position, normal, by):
     return [p - toward_zero(n * by, gjk.Q30_ONE) for p, n in zip(position, normal)]
 
 
+class Pair:
+    """Two random bodies and the hash of what is asked about them. A subclass makes bodies of its module and asks."""
+
+    module = gjk
+
+    def __init__(self, random, hash):
+        self.random, self.hash = random, hash
+        self.size = 1 << (3 + random.below(23))
+        self.far = random.below(8) == 0
+        self.a = self.make_body()
+        self.b = self.make_body()
+
+    def within_until(self, distance, iterations):
+        status, out = ask(self.module.within_until, self.a, self.b, distance, iterations)
+        self.hash.mix(status, out.answer)
+
+    def approach(self, result):
+        """Moves B along the normal until the gap is near 0."""
+        by = result.distance + self.random.range(-2, 2)
+        self.b.move(moved(self.b.position, result.normal, by))
+        self.hash.mix(gjk.Status.OK)
+
+    def query_at_rest(self, cache):
+        """What is asked first. Returns the distance."""
+        result = self.distance(None)
+        self.decision(-1, None)
+        self.decision(result.distance, None)
+        result = self.distance(cache)
+        self.penetration(cache)
+        return result
+
+    def query_close(self, cache, result):
+        """What is asked when B has moved along the normal."""
+        self.approach(result)
+        result = self.distance(cache)
+        self.decision(-1, cache)
+        self.decision(1, None)
+        self.within_until(1 + self.size // 32, 1)
+        self.within_until(result.distance, 2)
+        self.distance_until(2, 0)
+        self.distance_until(0, 1 + self.size // 16)
+        self.penetration(None)
+
+
 def main(pair, seed, arguments, end=lambda hash, last: None):
     """Prints the hash over so many pairs. 0: it is the one expected."""
     pairs, expected = int(arguments[0]), int(arguments[1], 16)

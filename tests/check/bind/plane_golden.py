@@ -7,7 +7,7 @@ import sys
 
 import gjk
 from gjk import plane
-from golden_set import ask, main, moved
+from golden_set import Pair, ask, main
 
 VERTICES = 12
 INT32_MAX = (1 << 31) - 1
@@ -25,15 +25,8 @@ def diamond(reach):
     return plane.custom(support, reach)
 
 
-class Pair:
-    """Two random bodies and the hash of what is asked about them."""
-
-    def __init__(self, random, hash):
-        self.random, self.hash = random, hash
-        self.size = 1 << (3 + random.below(23))
-        self.far = random.below(8) == 0
-        self.a = self.make_body()
-        self.b = self.make_body()
+class Set(Pair):
+    module = plane
 
     def make_body(self):
         shape = self.make_shape()
@@ -140,10 +133,6 @@ class Pair:
             self.hash.mix(out.yes)
             self.proven(plane.check_decision, out, most=max(distance, 0))
 
-    def within_until(self, distance, iterations):
-        status, out = ask(plane.within_until, self.a, self.b, distance, iterations)
-        self.hash.mix(status, out.answer)
-
     def penetration(self, cache):
         status, out = ask(plane.penetration, self.a, self.b, cache)
         self.hash.mix(status)
@@ -172,31 +161,13 @@ class Pair:
         for contact in out:
             self.hash.mix(*contact.point_a, *contact.point_b, contact.distance, contact.id)
 
-    def approach(self, result):
-        """Moves B along the normal until the gap is near 0."""
-        by = result.distance + self.random.range(-2, 2)
-        self.b.move(moved(self.b.position, result.normal, by))
-        self.hash.mix(gjk.Status.OK)
-
     def query(self):
         cache = plane.Cache()
-        result = self.distance(None)
-        self.decision(-1, None)
-        self.decision(result.distance, None)
-        result = self.distance(cache)
-        self.penetration(cache)
+        result = self.query_at_rest(cache)
         self.signed_distance(cache)
         self.contacts(0, 2)
         if not result.intersecting and not self.far:
-            self.approach(result)
-            result = self.distance(cache)
-            self.decision(-1, cache)
-            self.decision(1, None)
-            self.within_until(1 + self.size // 32, 1)
-            self.within_until(result.distance, 2)
-            self.distance_until(2, 0)
-            self.distance_until(0, 1 + self.size // 16)
-            self.penetration(None)
+            self.query_close(cache, result)
             self.contacts(self.size // 8, 2)
             self.contacts(self.size // 8, 1)
 
@@ -217,4 +188,4 @@ def refuse(hash, last):
 
 
 if __name__ == "__main__":
-    sys.exit(main(Pair, 2027, sys.argv[1:], refuse))
+    sys.exit(main(Set, 2027, sys.argv[1:], refuse))

@@ -12,48 +12,48 @@
 #include "plane_golden.h"
 #include "scene_golden.h"
 
-// Prints the hash; and if it is not the expected one, the header's line.
-static bool is_golden(const char *name, uint64_t hash, uint64_t expected) {
-  printf("%016" PRIx64 " ", hash);
-  if (hash != expected) {
-    fprintf(stderr, "#define %s UINT64_C(0x%016" PRIx64 ")\n", name, hash);
-  }
-  return hash == expected;
+static uint64_t scene_hash(uint32_t ticks) {
+  return scene_golden_hash(ticks, 1);
 }
 
+// A hash, of how much, and what it is in its header under this name.
+typedef struct golden {
+  const char *name;
+  uint64_t expected;
+  uint64_t (*hash)(uint32_t size);
+  uint32_t size;
+} golden;
+
+#define GOLDEN(name, hash, size) \
+  { #name, name, hash, size }
+#define FEW_AND_ALL(name, hash, sizes, of) \
+  GOLDEN(name##_GOLDEN_FEW_HASH, hash, sizes##_GOLDEN_FEW_##of), GOLDEN(name##_GOLDEN_HASH, hash, sizes##_GOLDEN_##of)
+
+static const golden goldens[] = {
+    GOLDEN(GOLDEN_FEW_HASH, golden_hash, GOLDEN_FEW_PAIRS),
+    GOLDEN(GOLDEN_HASH, golden_hash, GOLDEN_PAIRS),
+    GOLDEN(SCENE_GOLDEN_FEW_HASH, scene_hash, SCENE_GOLDEN_FEW_TICKS),
+    GOLDEN(CONCAVE_GOLDEN_HASH, concave_golden_hash, CONCAVE_GOLDEN_TICKS),
+    FEW_AND_ALL(PLANE, plane_golden_hash, PLANE, PAIRS),
+    FEW_AND_ALL(MOTION, motion_golden_hash, MOTION, PAIRS),
+    FEW_AND_ALL(PLANE_MOTION, plane_motion_golden_hash, MOTION, PAIRS),
+    FEW_AND_ALL(PARTS, parts_golden_hash, PARTS, BODIES),
+    FEW_AND_ALL(PARTS_CONTACTS, parts_contacts_golden_hash, PARTS, BODIES),
+    FEW_AND_ALL(PARTS_MOTION, parts_motion_golden_hash, PARTS, BODIES),
+    FEW_AND_ALL(HULL, hull_golden_hash, HULL, SETS),
+};
+
 int main(void) {
-  bool same = is_golden("GOLDEN_FEW_HASH", golden_hash(GOLDEN_FEW_PAIRS), GOLDEN_FEW_HASH);
-  same = is_golden("GOLDEN_HASH", golden_hash(GOLDEN_PAIRS), GOLDEN_HASH) && same;
-  same =
-      is_golden("SCENE_GOLDEN_FEW_HASH", scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH) && same;
-  same = is_golden("CONCAVE_GOLDEN_HASH", concave_golden_hash(CONCAVE_GOLDEN_TICKS), CONCAVE_GOLDEN_HASH) && same;
-  same = is_golden("PLANE_GOLDEN_FEW_HASH", plane_golden_hash(PLANE_GOLDEN_FEW_PAIRS), PLANE_GOLDEN_FEW_HASH) && same;
-  same = is_golden("PLANE_GOLDEN_HASH", plane_golden_hash(PLANE_GOLDEN_PAIRS), PLANE_GOLDEN_HASH) && same;
-  same =
-      is_golden("MOTION_GOLDEN_FEW_HASH", motion_golden_hash(MOTION_GOLDEN_FEW_PAIRS), MOTION_GOLDEN_FEW_HASH) && same;
-  same = is_golden("MOTION_GOLDEN_HASH", motion_golden_hash(MOTION_GOLDEN_PAIRS), MOTION_GOLDEN_HASH) && same;
-  same = is_golden("PLANE_MOTION_GOLDEN_FEW_HASH", plane_motion_golden_hash(MOTION_GOLDEN_FEW_PAIRS),
-                   PLANE_MOTION_GOLDEN_FEW_HASH) &&
-         same;
-  same =
-      is_golden("PLANE_MOTION_GOLDEN_HASH", plane_motion_golden_hash(MOTION_GOLDEN_PAIRS), PLANE_MOTION_GOLDEN_HASH) &&
-      same;
-  same = is_golden("PARTS_GOLDEN_FEW_HASH", parts_golden_hash(PARTS_GOLDEN_FEW_BODIES), PARTS_GOLDEN_FEW_HASH) && same;
-  same = is_golden("PARTS_GOLDEN_HASH", parts_golden_hash(PARTS_GOLDEN_BODIES), PARTS_GOLDEN_HASH) && same;
-  same = is_golden("PARTS_CONTACTS_GOLDEN_FEW_HASH", parts_contacts_golden_hash(PARTS_GOLDEN_FEW_BODIES),
-                   PARTS_CONTACTS_GOLDEN_FEW_HASH) &&
-         same;
-  same = is_golden("PARTS_CONTACTS_GOLDEN_HASH", parts_contacts_golden_hash(PARTS_GOLDEN_BODIES),
-                   PARTS_CONTACTS_GOLDEN_HASH) &&
-         same;
-  same = is_golden("PARTS_MOTION_GOLDEN_FEW_HASH", parts_motion_golden_hash(PARTS_GOLDEN_FEW_BODIES),
-                   PARTS_MOTION_GOLDEN_FEW_HASH) &&
-         same;
-  same =
-      is_golden("PARTS_MOTION_GOLDEN_HASH", parts_motion_golden_hash(PARTS_GOLDEN_BODIES), PARTS_MOTION_GOLDEN_HASH) &&
-      same;
-  same = is_golden("HULL_GOLDEN_FEW_HASH", hull_golden_hash(HULL_GOLDEN_FEW_SETS), HULL_GOLDEN_FEW_HASH) && same;
-  same = is_golden("HULL_GOLDEN_HASH", hull_golden_hash(HULL_GOLDEN_SETS), HULL_GOLDEN_HASH) && same;
+  bool same = true;
+  for (size_t i = 0; i < sizeof goldens / sizeof goldens[0]; i++) {
+    const golden *g = &goldens[i];
+    const uint64_t hash = g->hash(g->size);
+    printf("%016" PRIx64 " ", hash);
+    if (hash != g->expected) {
+      fprintf(stderr, "#define %s UINT64_C(0x%016" PRIx64 ")\n", g->name, hash);
+      same = false;
+    }
+  }
   printf("\n");
   return same ? 0 : 1;
 }

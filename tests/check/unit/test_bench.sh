@@ -10,7 +10,7 @@ run() {
   "$build/gjk-bench" --pairs 40 --timed 5 --seconds 0 --repetitions 1 >"$dir/run.csv"
 }
 report() {
-  "$build/gjk-bench-report" "$1" "$dir/page.html" >"$dir/table.txt"
+  python3 -B tests/measure/bench/report/report.py "$1" "$dir/${2:-page}.html" ${3:+"$3"} >"$dir/table.txt"
 }
 refused() {
   ! "$@" 2>/dev/null
@@ -22,7 +22,7 @@ holds() {
     END { if (!rows) print \"no such rows\"; exit bad || !rows }" "$dir/run.csv"
 }
 
-check 'it builds without other libraries' make -s "$build/gjk-bench" "$build/gjk-bench-report"
+check 'it builds without other libraries' make -s "$build/gjk-bench"
 check 'it runs' run
 check 'columns' grep -qx 'family,query,method,measure,at,value' "$dir/run.csv"
 check 'six fields a row' holds 1 'NF >= 6 && $4 != "" && $6 != ""'
@@ -68,8 +68,14 @@ for error in 1 16 256; do
   check "to $error LSB" holds "\$3 == \"gjk to $error LSB\" && \$4 == \"error_most\"" "\$6 <= $error"
 done
 check 'wrong decisions are seen' holds '$1 == "smallest" && $3 ~ /^reference/ && $4 == "wrong"' '$6 > 0'
+check 'a wrong option is refused' refused "$build/gjk-bench" --pairs
 
 # The page: whole, and in need of nothing else.
+if ! have python3; then
+  skip 'the report' python3
+  finish bench
+  exit
+fi
 check 'the report' report "$dir/run.csv"
 check 'the table' grep -q '^gjk cold  *1\.00 ' "$dir/table.txt"
 check 'the table of depths' grep -q '^overlap-boxes, depth: ' "$dir/table.txt"
@@ -88,13 +94,12 @@ scene,bodies,percent moving,gjk whole tick ns,all pairs ns,Bullet ns,gjk pairs,%
 sparse,1000,5,20000,1000000,,100,90,5,2,1,1,1
 sparse,10000,5,300000,100000000,,1100,90,5,2,1,1,1
 END
-check 'with scenes' "$build/gjk-bench-report" "$dir/run.csv" "$dir/scenes.html" "$dir/scenes.csv"
+check 'with scenes' report "$dir/run.csv" scenes "$dir/scenes.csv"
 check 'their lines' grep -q 'boxes of all pairs' "$dir/scenes.html"
 check 'no line of what is not there' refused grep -q 'btDbvtBroadphase' "$dir/scenes.html"
 check 'their shares' grep -q 'moved less than was proven: 5.0 %' "$dir/scenes.html"
 check 'no numbers that are none there' refused grep -qE '(nan|inf)[ "<]' "$dir/scenes.html"
-check 'other tables of scenes are refused' refused "$build/gjk-bench-report" "$dir/run.csv" "$dir/no.html" "$dir/run.csv"
+check 'other tables of scenes are refused' refused report "$dir/run.csv" no "$dir/run.csv"
 printf 'family,query\n' >"$dir/bad.csv"
 check 'other tables are refused' refused report "$dir/bad.csv"
-check 'a wrong option is refused' refused "$build/gjk-bench" --pairs
 finish bench

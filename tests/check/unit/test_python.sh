@@ -36,9 +36,9 @@ tidy() {
 # A module of other structures than the library's does not load.
 refuses_another_version() {
   cp -r "$modules" "$dir/other" &&
-    sed -i 's/("saturated", c_bool),/("saturated", c_bool), ("surplus", c_int32),/' "$dir/other/gjk/queries.py" &&
+    sed -i '0,/("saturated", c_bool),/s//("saturated", c_bool), ("surplus", c_int32),/' "$dir/other/gjk/_pairs.py" &&
     ! PYTHONPATH=$dir/other GJK_LIBRARY=$prefix/lib/libgjk.so python3 -c 'import gjk' 2>"$dir/refusal" &&
-    grep -q 'ImportError: .* has another gjk_distance_result' "$dir/refusal"
+    grep -q 'ImportError: .* has another gjk2_distance_result' "$dir/refusal"
 }
 
 other_bits() {

@@ -75,5 +75,5 @@ if "$python" -c 'import pip' 2>/dev/null; then
 else
   skip 'pip install' python3-pip
 fi
-check 'the files are tidy' tidy port/python/examples/*.py tests/build/*.py
+check 'the files are tidy' tidy port/python/examples/*.py tests/build/*.py tests/measure/bench/report/*.py
 finish wheel

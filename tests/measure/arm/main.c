@@ -7,13 +7,7 @@
 //        Free: arm_truth_edge is sure that 16 LSB are left. Edges that are neither are left out.
 // Times  processor's, of each edge the least of the repetitions. Poses of the links are given to other libraries.
 #define _POSIX_C_SOURCE 199309L
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-
+#include "../measuring.h"
 #include "arm/arm_truth.h"
 #include "arm/seven.h"
 #include "sweep.h"
@@ -237,9 +231,7 @@ typedef struct tally {
 } tally;
 
 static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+  return 1e-9 * measuring_ns(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 // method: 0 the edge, 1 its samples, then samples and sweeps of each other library.

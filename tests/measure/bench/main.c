@@ -1,11 +1,8 @@
 // gjk-bench: measures the methods and writes the figures as CSV, one value a line.
 #define _POSIX_C_SOURCE 200112L
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "../measuring.h"
 #include "measure.h"
 
 static const char usage[] =
@@ -39,27 +36,12 @@ typedef struct bench {
 } bench;
 
 static bool parse(int argc, char **argv, options *out) {
-  const struct {
-    const char *name;
-    unsigned long *value;
-  } known[] = {{"--pairs", &out->pairs},     {"--timed", &out->timed},
-               {"--seconds", &out->seconds}, {"--repetitions", &out->repetitions},
-               {"--seed", &out->seed},       {"--instructions", &out->instructions}};
-  for (int i = 1; i < argc; i += 2) {
-    bool found = false;
-    for (size_t k = 0; k < sizeof known / sizeof known[0] && i + 1 < argc; k++) {
-      if (strcmp(argv[i], known[k].name) == 0) {
-        char *end;
-        *known[k].value = strtoul(argv[i + 1], &end, 10);
-        found = end != argv[i + 1] && *end == '\0';
-      }
-    }
-    if (!found) {
-      return false;
-    }
-  }
+  const measuring_option known[] = {{"--pairs", &out->pairs},     {"--timed", &out->timed},
+                                    {"--seconds", &out->seconds}, {"--repetitions", &out->repetitions},
+                                    {"--seed", &out->seed},       {"--instructions", &out->instructions}};
+  const bool good = measuring_options(argc, argv, known, sizeof known / sizeof known[0]);
   out->timed = out->timed < out->pairs ? out->timed : out->pairs;
-  return out->timed > 0 && out->repetitions > 0;
+  return good && out->timed > 0 && out->repetitions > 0;
 }
 
 // Shows the progress, on a terminal only, in a line that is overwritten.
@@ -149,10 +131,7 @@ static void measure_errors(const bench *b, const work *w) {
 
 static void prepare(bench *b) {
   b->method_count = bench_methods(b->methods);
-  b->works = calloc(bench_family_count, sizeof *b->works);
-  if (b->works == NULL) {
-    exit(2);
-  }
+  b->works = measuring_allocate(bench_family_count, sizeof *b->works);
   for (size_t f = 0; f < bench_family_count; f++) {
     work *w = &b->works[f];
     w->family = &bench_families[f];
@@ -256,7 +235,6 @@ static bool measure_instructions(const bench *b) {
         snprintf(label, sizeof label, "%s,%s,%s", bench_families[f].name, query_names[q], b->methods[m]->name);
         if (bench_answers(b->methods[m], &bench_families[f], (bench_query)q) &&
             !bench_measure_instructions(s, (bench_query)q, label)) {
-          fprintf(stderr, "gjk-bench: not run by callgrind, or built without its header\n");
           return false;
         }
       }

@@ -2,35 +2,17 @@
 #define _POSIX_C_SOURCE 199309L
 #include "measure.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-
-#ifdef __has_include
-#if __has_include(<valgrind/callgrind.h>)
-#define HAVE_CALLGRIND 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"
-#include <valgrind/callgrind.h>
-#endif
-#endif
-
-static void *out_of_memory(void) {
-  fprintf(stderr, "bench: out of memory\n");
-  exit(2);
-  return NULL;
-}
+#include "../measuring.h"
 
 void bench_subject_make(const bench_method *method, const bench_pair *pairs, size_t count, bench_subject *out) {
   memset(out, 0, sizeof *out);
   out->method = method;
   out->count = count;
-  out->prepared = calloc(count, sizeof *out->prepared);
+  out->prepared = measuring_allocate(count, sizeof *out->prepared);
   for (size_t i = 0; i < count; i++) {
-    if (out->prepared == NULL || (out->prepared[i] = method->prepare(method, &pairs[i])) == NULL) {
-      out_of_memory();
+    out->prepared[i] = method->prepare(method, &pairs[i]);
+    if (out->prepared[i] == NULL) {
+      exit(2);
     }
   }
 }
@@ -132,51 +114,32 @@ static void pass(const bench_subject *subject, bench_query query) {
 static void keep_time(bench_subject *subject, bench_query query, double time) {
   const size_t n = subject->repetitions[query]++;
   if ((n & (n - 1)) == 0) {
-    double *grown = realloc(subject->times[query], (n == 0 ? 1 : 2 * n) * sizeof *grown);
-    subject->times[query] = grown != NULL ? grown : out_of_memory();
+    subject->times[query] = realloc(subject->times[query], (n == 0 ? 1 : 2 * n) * sizeof *subject->times[query]);
+    if (subject->times[query] == NULL) {
+      exit(2);
+    }
   }
   subject->times[query][n] = time;
 }
 
 void bench_measure_time(bench_subject *subject, bench_query query, bool keep) {
-  struct timespec start, end;
-  clock_gettime(CLOCK_MONOTONIC, &start);
+  const double start = measuring_ns(CLOCK_MONOTONIC);
   pass(subject, query);
-  clock_gettime(CLOCK_MONOTONIC, &end);
-  const double ns = (double)(end.tv_sec - start.tv_sec) * 1e9 + (double)(end.tv_nsec - start.tv_nsec);
+  const double ns = measuring_ns(CLOCK_MONOTONIC) - start;
   if (keep) {
     keep_time(subject, query, ns / (double)subject->count);
   }
 }
 
-static int compare(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 double bench_median_time(bench_subject *subject, bench_query query) {
-  const size_t n = subject->repetitions[query];
-  double *times = subject->times[query];
-  if (n == 0) {
-    return NAN;
-  }
-  qsort(times, n, sizeof *times, compare);
-  return (times[(n - 1) / 2] + times[n / 2]) / 2;
+  return measuring_median(subject->times[query], subject->repetitions[query]);
 }
 
 bool bench_measure_instructions(const bench_subject *subject, bench_query query, const char *label) {
-#ifdef HAVE_CALLGRIND
-  if (RUNNING_ON_VALGRIND) {
-    CALLGRIND_START_INSTRUMENTATION;
-    CALLGRIND_ZERO_STATS;
-    pass(subject, query);
-    CALLGRIND_DUMP_STATS_AT(label);
-    CALLGRIND_STOP_INSTRUMENTATION;
-    return true;
+  if (!measuring_count()) {
+    return false;
   }
-#endif
-  (void)subject;
-  (void)query;
-  (void)label;
-  return false;
+  pass(subject, query);
+  measuring_dump(label);
+  return true;
 }

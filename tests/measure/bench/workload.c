@@ -1,25 +1,14 @@
 // Makes the pairs that are measured: posed, proven, and in the form that other libraries take.
+#define _POSIX_C_SOURCE 200112L
 #include "workload.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-
+#include "../measuring.h"
 #include "case/case.h"
 #include "exact/exact.h"
 #include "truth.h"
 
 // So many pairs apart, a depth is proven thoroughly.
 #define THOROUGH_EVERY 5
-
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "bench: out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
 
 static void fail(const bench_pair *pair, const char *why) {
   fprintf(stderr, "bench: a pair without a proven answer: %s\n", why);
@@ -62,7 +51,7 @@ static void set_solid(const gjk_collider *collider, bench_solid *out) {
   for (int i = 0; i < 3; i++) {
     set_vector(collider->frame[i], out->half_axes[i]);
   }
-  out->vertices = allocate(out->count, sizeof *out->vertices);
+  out->vertices = measuring_allocate(out->count, sizeof *out->vertices);
   for (unsigned i = 0; i < out->count; i++) {
     const exact_point vertex = exact_vertex(collider, i);
     for (int k = 0; k < 3; k++) {
@@ -96,14 +85,14 @@ static void make_pair(const bench_family *family, random_state *random, bench_pa
 }
 
 bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *exact) {
-  bench_pair *pairs = allocate(count, sizeof *pairs);
+  bench_pair *pairs = measuring_allocate(count, sizeof *pairs);
   *exact = 0;
   for (size_t i = 0; i < count; i++) {
     random_state random = random_seed((seed << 32) + i);
     bench_pair *pair = &pairs[i];
-    pair->shapes = allocate(1, sizeof *pair->shapes);
-    pair->a = allocate(1, sizeof *pair->a);
-    pair->b = allocate(1, sizeof *pair->b);
+    pair->shapes = measuring_allocate(1, sizeof *pair->shapes);
+    pair->a = measuring_allocate(1, sizeof *pair->a);
+    pair->b = measuring_allocate(1, sizeof *pair->b);
     make_pair(family, &random, pair);
     if (asks_depth(family)) {
       *exact += set_depth(pair, i % THOROUGH_EVERY == 0) == BENCH_DEPTH_EXACT;

@@ -8,11 +8,7 @@
 // Every method replays the same recorded motion, MOTION_TICKS ticks at a time, in turn. A figure is the median of the
 // means over so many ticks. Exit status 1: a scene failed, a count of pairs is wrong, or the promise is not kept.
 #define _POSIX_C_SOURCE 199309L
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
-
+#include "../measuring.h"
 #include "method_gjk.h"
 #include "motion.h"
 
@@ -58,14 +54,7 @@ typedef struct line {
 } line;
 
 static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
-
-static int compare(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
+  return measuring_ns(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 static double median(const double *values, unsigned count) {
@@ -73,8 +62,7 @@ static double median(const double *values, unsigned count) {
   for (unsigned i = 0; i < count; i++) {
     sorted[i] = values[i];
   }
-  qsort(sorted, count, sizeof sorted[0], compare);
-  return count % 2 != 0 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
+  return measuring_median(sorted, count);
 }
 
 static bool used(const line *l, unsigned method) {

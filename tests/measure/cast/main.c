@@ -3,46 +3,27 @@
 //
 // Errors are those of fractions of hits that are found, times by how much the gap shrinks: LSB of the gap.
 #define _POSIX_C_SOURCE 199309L
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
-
+#include "../measuring.h"
 #include "cast.h"
-
-static int ascending(const void *x, const void *y) {
-  const double a = *(const double *)x, b = *(const double *)y;
-  return (a > b) - (a < b);
-}
-
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 // The least time of a few passes over all casts, ns a cast.
 static double cost(const cast_method *method, void **prepared, size_t count) {
-  double least = 1e30, fraction;
+  double least = INFINITY, fraction;
   for (int pass = 0; pass < 5; pass++) {
-    const double start = seconds();
+    const double start = measuring_ns(CLOCK_MONOTONIC);
     for (size_t i = 0; i < count; i++) {
       method->run(prepared[i], &fraction);
     }
-    const double spent = seconds() - start;
+    const double spent = measuring_ns(CLOCK_MONOTONIC) - start;
     least = spent < least ? spent : least;
   }
-  return 1e9 * least / (double)count;
+  return least / (double)count;
 }
 
 static void measure(const cast_family *family, const cast_method *method, const cast_case *cases, size_t count) {
-  void **prepared = malloc(count * sizeof *prepared);
-  double *errors = malloc(count * sizeof *errors);
+  void **prepared = measuring_allocate(count, sizeof *prepared);
+  double *errors = measuring_allocate(count, sizeof *errors);
   size_t hits = 0, missed = 0, wrong = 0, found = 0;
-  if (prepared == NULL || errors == NULL) {
-    abort();
-  }
   for (size_t i = 0; i < count; i++) {
     const cast_case *c = &cases[i];
     double fraction = 0;
@@ -55,7 +36,7 @@ static void measure(const cast_family *family, const cast_method *method, const 
       errors[found++] = fabs(fraction - c->fraction) * c->rate;
     }
   }
-  qsort(errors, found, sizeof *errors, ascending);
+  qsort(errors, found, sizeof *errors, measuring_ascending);
   printf("%s,%s,%zu,%zu,%zu,%zu,%.3g,%.3g,%.3g,%.0f\n", family->name, method->name, count, hits, missed, wrong,
          found > 0 ? errors[found / 2] : 0, found > 0 ? errors[found * 99 / 100] : 0, found > 0 ? errors[found - 1] : 0,
          cost(method, prepared, count));

@@ -1,10 +1,8 @@
 // Makes the families of pairs that costs are measured on.
+#define _POSIX_C_SOURCE 200112L
 #include "families.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
+#include "../measuring.h"
 #include "case/case.h"
 #include "generate/generate.h"
 #include "generate/polytope.h"
@@ -51,15 +49,6 @@ const size_t cost_family_count = sizeof cost_families / sizeof cost_families[0];
 #define CLOSE GJK_Q16(0.1)  // closer is close
 #define FARTHEST GJK_Q16(2.0)
 #define STEP_PARTS 100  // one step moves B by its size over this, and turns it by up to a degree
-
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "cost: out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
 
 static gjk_vec3 random_vector(random_state *random, int32_t size) {
   const gjk_vec3 v = {random_range(random, -size, size), random_range(random, -size, size),
@@ -170,7 +159,7 @@ static void set_solid(const case_shape *shape, const case_shape *before, cost_ki
   set_vector(shape->size, out->half);
   out->radius = (double)shape->convex_radius / COST_LSB_PER_UNIT;
   out->count = shape->count;
-  out->vertices = shape->count > 0 ? allocate(shape->count, sizeof *out->vertices) : NULL;
+  out->vertices = shape->count > 0 ? measuring_allocate(shape->count, sizeof *out->vertices) : NULL;
   for (size_t i = 0; i < shape->count; i++) {
     set_vector(shape->vertices[i], out->vertices[i]);
   }
@@ -207,8 +196,8 @@ static void rest_on(random_state *random, cost_gap gap, case_shape *a, case_shap
 }
 
 static void make_pair(const cost_family *family, random_state *random, size_t index, cost_pair *out) {
-  out->shapes = allocate(1, sizeof *out->shapes);
-  out->before = allocate(1, sizeof *out->before);
+  out->shapes = measuring_allocate(1, sizeof *out->shapes);
+  out->before = measuring_allocate(1, sizeof *out->before);
   do {
     make_shape(random, family->a, family->vertices, &out->shapes->a);
     make_shape(random, family->b, family->vertices, &out->shapes->b);
@@ -224,7 +213,7 @@ static void make_pair(const cost_family *family, random_state *random, size_t in
 }
 
 cost_pair *cost_pairs_make(const cost_family *family, uint64_t seed, size_t count) {
-  cost_pair *pairs = allocate(count, sizeof *pairs);
+  cost_pair *pairs = measuring_allocate(count, sizeof *pairs);
   for (size_t i = 0; i < count; i++) {
     random_state random = random_seed((seed << 32) + i);
     make_pair(family, &random, i, &pairs[i]);

@@ -1,11 +1,8 @@
 // Makes pairs of the plane. Each decision is proven by the exact oracle, from the same posed integers that all methods get.
+#define _POSIX_C_SOURCE 200112L
 #include "families.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
+#include "../measuring.h"
 #include "exact/claim2.h"
 #include "generate/shape2.h"
 #include "generate/smallest2.h"
@@ -13,15 +10,6 @@
 #define UNIT GJK_Q16_ONE
 #define CLOSE (UNIT / 10)
 #define DEGREE 1144
-
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "gjk-plane: out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
 
 // Corners of an ellipse within reach, in order, each in its share of the turn.
 static void make_polygon(random_state *random, unsigned count, gjk_q16 reach, case2_shape *out) {
@@ -252,7 +240,7 @@ const size_t plane_cost_family_count = sizeof plane_cost_families / sizeof plane
 
 static void set_solid(const exact2_posed *posed, const gjk2_collider *c, const gjk2_collider *a, plane_solid *out) {
   out->count = posed->hull.count;
-  out->corner = allocate(out->count, sizeof *out->corner);
+  out->corner = measuring_allocate(out->count, sizeof *out->corner);
   out->centre[0] = (double)((int64_t)c->centre.x - a->centre.x) / PLANE_LSB_PER_UNIT;
   out->centre[1] = (double)((int64_t)c->centre.y - a->centre.y) / PLANE_LSB_PER_UNIT;
   for (size_t i = 0; i < out->count; i++) {
@@ -265,7 +253,7 @@ static void set_solid(const exact2_posed *posed, const gjk2_collider *c, const g
 static bool set_pair(case2_pair *shapes, bool own, plane_pair *out) {
   exact2_pair exact;
   for (int i = 0; i < 2; i++) {
-    out->collider[i] = allocate(1, sizeof **out->collider);
+    out->collider[i] = measuring_allocate(1, sizeof **out->collider);
     if (case2_collider_build(out->collider[i], i == 0 ? &shapes->a : &shapes->b, false) != GJK_OK) {
       exit(1);
     }
@@ -294,13 +282,13 @@ static bool set_pair(case2_pair *shapes, bool own, plane_pair *out) {
 }
 
 plane_pair *plane_pairs_make(const plane_family *family, uint64_t seed, size_t count) {
-  plane_pair *pairs = allocate(count, sizeof *pairs);
+  plane_pair *pairs = measuring_allocate(count, sizeof *pairs);
   random_state random = random_seed(seed);
   for (size_t i = 0; i < count; i++) {
     bool made = false;
     while (!made) {
       // A collider points into its case, which stays until the end of the program.
-      case2_pair *shapes = allocate(1, sizeof *shapes);
+      case2_pair *shapes = measuring_allocate(1, sizeof *shapes);
       case2_shape_reset(&shapes->a);
       case2_shape_reset(&shapes->b);
       family->generate(family, &random, i, shapes);

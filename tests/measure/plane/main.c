@@ -5,28 +5,11 @@
 //                                      in turn in one process, of each few pairs the least of the repetitions
 //   gjk-plane count PAIRS              under callgrind: a dump for each family and method
 #define _POSIX_C_SOURCE 200112L
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-
+#include "../measuring.h"
 #include "families.h"
-
-#ifdef __has_include
-#if __has_include(<valgrind/callgrind.h>)
-#define HAVE_CALLGRIND 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"
-#include <valgrind/callgrind.h>
-#endif
-#endif
 
 #define METHODS_MAX 16
 #define SEED 1
-
-// Times are taken of so many pairs at once: in so short a time the machine seldom does something else.
-#define TIMED_TOGETHER 50
 
 // A peer that is not linked has no list.
 __attribute__((weak)) extern plane_method_list plane_box2d_methods, plane_chipmunk_methods;
@@ -34,9 +17,7 @@ __attribute__((weak)) extern plane_method_list plane_box2d_methods, plane_chipmu
 // A method, prepared for the pairs of a family.
 typedef struct subject {
   const plane_method *method;
-  plane_run *run;
-  void **prepared;
-  double *least;  // ns, of each TIMED_TOGETHER pairs
+  measuring_pairs pairs;
 } subject;
 
 typedef struct work {
@@ -46,24 +27,9 @@ typedef struct work {
   subject subjects[METHODS_MAX];
 } work;
 
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "gjk-plane: out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
-
-// What is measured in place of a query, so that the loop can be subtracted.
-static double run_nothing(void *prepared) {
-  (void)prepared;
-  return 0;
-}
-
 static plane_run *choose_nothing(plane_query query) {
   (void)query;
-  return run_nothing;
+  return measuring_nothing;
 }
 
 static void *prepare_nothing(const plane_pair *pair) {
@@ -81,17 +47,15 @@ static void add_method(const plane_method *method, work *out) {
       (out->family->own && !moved && method != &nothing && method != plane_own_methods[0])) {
     return;
   }
-  s->method = method;
-  s->run = method->choose(out->family->query);
-  if (s->run == NULL || out->count == METHODS_MAX) {
+  plane_run *run = method->choose(out->family->query);
+  if (run == NULL || out->count == METHODS_MAX) {
     return;
   }
-  s->prepared = allocate(out->pair_count, sizeof *s->prepared);
-  s->least = allocate(out->pair_count, sizeof *s->least);
+  s->method = method;
+  s->pairs = measuring_start(run, measuring_allocate(out->pair_count, sizeof(void *)), out->pair_count);
   for (size_t i = 0; i < out->pair_count; i++) {
-    s->least[i] = INFINITY;
-    s->prepared[i] = method->prepare(&out->pairs[i]);
-    if (s->prepared[i] == NULL) {
+    s->pairs.prepared[i] = method->prepare(&out->pairs[i]);
+    if (s->pairs.prepared[i] == NULL) {
       exit(2);
     }
   }
@@ -115,19 +79,20 @@ static void work_make(const plane_family *family, size_t pairs, work *out) {
 static void work_free(work *w) {
   for (size_t s = 0; s < w->count; s++) {
     for (size_t i = 0; i < w->pair_count; i++) {
-      w->subjects[s].method->release(w->subjects[s].prepared[i]);
+      w->subjects[s].method->release(w->subjects[s].pairs.prepared[i]);
     }
-    free(w->subjects[s].prepared);
-    free(w->subjects[s].least);
+    free(w->subjects[s].pairs.prepared);
+    free(w->subjects[s].pairs.least);
   }
   plane_pairs_free(w->pairs, w->pair_count);
 }
 
 static void decide(const work *w) {
   for (size_t s = 0; s < w->count; s++) {
+    const measuring_pairs *p = &w->subjects[s].pairs;
     size_t wrong = 0;
     for (size_t i = 0; i < w->pair_count; i++) {
-      wrong += (w->subjects[s].run(w->subjects[s].prepared[i]) != 0) != w->pairs[i].intersecting;
+      wrong += (p->run(p->prepared[i]) != 0) != w->pairs[i].intersecting;
     }
     if (w->subjects[s].method != &nothing) {
       printf("%s,%s,%zu,%zu\n", w->family->name, w->subjects[s].method->name, w->pair_count, wrong);
@@ -135,61 +100,24 @@ static void decide(const work *w) {
   }
 }
 
-// Answers some pairs: this is what is counted and timed.
-__attribute__((noinline)) static double pass(plane_run *run, void *const *prepared, size_t count) {
-  double sum = 0;
-  for (size_t i = 0; i < count; i++) {
-    sum += run(prepared[i]);
-  }
-  return sum;
-}
-
-static void measure_time(const work *w, subject *s) {
-  (void)pass(s->run, s->prepared, w->pair_count);
-  for (size_t i = 0; i < w->pair_count; i += TIMED_TOGETHER) {
-    const size_t rest = w->pair_count - i, count = rest < TIMED_TOGETHER ? rest : TIMED_TOGETHER;
-    struct timespec start, end;
-    clock_gettime(CLOCK_MONOTONIC, &start);
-    (void)pass(s->run, &s->prepared[i], count);
-    clock_gettime(CLOCK_MONOTONIC, &end);
-    const double ns = (double)(end.tv_sec - start.tv_sec) * 1e9 + (double)(end.tv_nsec - start.tv_nsec);
-    s->least[i / TIMED_TOGETHER] = fmin(s->least[i / TIMED_TOGETHER], ns);
-  }
-}
-
 static void put_costs(const work *w) {
   for (size_t k = 0; k < w->count; k++) {
     const subject *s = &w->subjects[k];
-    double ns = 0;
-    for (size_t i = 0; i < w->pair_count; i += TIMED_TOGETHER) {
-      ns += s->least[i / TIMED_TOGETHER];
-    }
-    printf("%s,%s,sum,%.9g\n", w->family->name, s->method->name, pass(s->run, s->prepared, w->pair_count));
-    printf("%s,%s,ns,%.9g\n", w->family->name, s->method->name, ns / (double)w->pair_count);
+    const double sum = measuring_pass(s->pairs.run, s->pairs.prepared, w->pair_count);
+    printf("%s,%s,sum,%.9g\n", w->family->name, s->method->name, sum);
+    printf("%s,%s,ns,%.9g\n", w->family->name, s->method->name, measuring_least(&s->pairs));
   }
 }
 
 // False: callgrind is not there.
 static bool count_work(const work *w) {
-#ifdef HAVE_CALLGRIND
-  if (RUNNING_ON_VALGRIND) {
-    for (size_t k = 0; k < w->count; k++) {
-      const subject *s = &w->subjects[k];
-      char label[160];
-      snprintf(label, sizeof label, "%s,%s", w->family->name, s->method->name);
-      (void)pass(s->run, s->prepared, w->pair_count);  // what is bound and allocated once is not a query's
-      CALLGRIND_START_INSTRUMENTATION;
-      CALLGRIND_ZERO_STATS;
-      (void)pass(s->run, s->prepared, w->pair_count);
-      CALLGRIND_DUMP_STATS_AT(label);
-      CALLGRIND_STOP_INSTRUMENTATION;
-    }
-    return true;
+  bool fine = true;
+  for (size_t k = 0; k < w->count && fine; k++) {
+    char label[160];
+    snprintf(label, sizeof label, "%s,%s", w->family->name, w->subjects[k].method->name);
+    fine = measuring_count_pass(&w->subjects[k].pairs, label);
   }
-#endif
-  (void)w;
-  fprintf(stderr, "gjk-plane: not run by callgrind, or built without its header\n");
-  return false;
+  return fine;
 }
 
 int main(int argc, char **argv) {
@@ -210,7 +138,7 @@ int main(int argc, char **argv) {
     work_make(&families[f], pairs, &w);
     for (unsigned long r = 0; r < repetitions; r++) {
       for (size_t s = 0; s < w.count; s++) {
-        measure_time(&w, &w.subjects[s]);
+        (void)measuring_time(&w.subjects[s].pairs);
       }
     }
     if (decisions) {

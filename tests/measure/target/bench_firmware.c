@@ -5,12 +5,6 @@
 #include "bench.h"
 #include "count.h"
 #include "paint.h"
-#include "print.h"
-
-static void field(uint32_t value) {
-  board_print("|");
-  print_decimal(board_print, value);
-}
 
 // The same decision, and a distance within 16 LSB, which is more than a float is off for these pairs.
 static bool agrees(const bench_family *family, const bench_answer *answer) {
@@ -20,8 +14,9 @@ static bool agrees(const bench_family *family, const bench_answer *answer) {
 }
 
 // Measures a solver on a family. Returns whether every answer was right.
-static bool measure(const bench_solver *solver, const bench_family *family, uint32_t calibration) {
-  uint32_t sum = 0, worst = 0, iterations = 0, most_iterations = 0, stack = 0, cells = 0, wrong = 0;
+static bool measure(const bench_solver *solver, const bench_family *family) {
+  count_tally t = {0, 0, 0};
+  uint32_t iterations = 0, most_iterations = 0, stack = 0, cells = 0, wrong = 0;
   const unsigned pairs = bench_pair_count(family);
   bench_start();
   for (unsigned i = 0; i < pairs; i++) {
@@ -31,10 +26,8 @@ static bool measure(const bench_solver *solver, const bench_family *family, uint
     const uintptr_t top = paint_stack();
     const uint32_t start = board_ticks();
     solver->run(family->query, &answer);
-    const uint32_t count = count_instructions(board_ticks() - start, calibration);
+    count_add(&t, count_since(start));
     const uint32_t depth = painted_depth(top);
-    sum += count;
-    worst = count > worst ? count : worst;
     iterations += answer.iterations;
     most_iterations = answer.iterations > most_iterations ? answer.iterations : most_iterations;
     stack = depth > stack ? depth : stack;
@@ -44,27 +37,23 @@ static bool measure(const bench_solver *solver, const bench_family *family, uint
   }
   board_print(solver->name);
   board_print("|");
-  board_print(family->name);
-  field(sum / pairs);
-  field(worst);
-  field(iterations * 100 / pairs);
-  field(most_iterations);
-  field(stack);
-  field(cells * (uint32_t)sizeof(gjk_epa_cell));
+  count_line(family->name, &t);
+  count_field(iterations * 100 / pairs);
+  count_field(most_iterations);
+  count_field(stack);
+  count_field(cells * (uint32_t)sizeof(gjk_epa_cell));
   board_print("\n");
   return wrong == 0;
 }
 
 int firmware_main(void) {
   static const bench_solver *const solvers[] = {&bench_gjk, &bench_float, &bench_double};
-  const uint32_t calibration = count_calibrate();
-  if (calibration == 0) {
-    board_print("the counter does not count instructions\n");
+  if (!count_prepare()) {
     return 1;
   }
   for (unsigned s = 0; s < sizeof solvers / sizeof solvers[0]; s++) {
     for (unsigned i = 0; i < bench_family_count; i++) {
-      if (bench_families[i].query <= solvers[s]->last && !measure(solvers[s], &bench_families[i], calibration)) {
+      if (bench_families[i].query <= solvers[s]->last && !measure(solvers[s], &bench_families[i])) {
         board_print("wrong answers\n");
         return 1;
       }

@@ -1,9 +1,32 @@
-// Makes the casts for which instructions are counted: A about the origin, B or a ray from 3 units away.
-#include "cast_bench.h"
-
+// Firmware: instructions and stack per cast, one line per family: NAME|mean|worst|iterations x 100|bytes of stack
+//
+// A is about the origin, B or a ray comes from 3 units away. Fails if an answer is not proven.
+#include "count.h"
+#include "gjk/gjk.h"
+#include "paint.h"
 #include "random.h"
 
-const cast_family cast_families[] = {
+#define CAST_WAYS 200
+
+// What B is.
+typedef enum cast_mover { CAST_RAY, CAST_SAME, CAST_BALL } cast_mover;
+
+// How the cast ends.
+typedef enum cast_end {
+  CAST_HITS,    // not at the start
+  CAST_FAR,     // a miss by the bounding spheres
+  CAST_PASSES,  // another miss, on a way of 6 units
+  CAST_STOPS    // a miss on a way of half a unit, too short to arrive
+} cast_end;
+
+typedef struct cast_family {
+  const char *name;
+  uint16_t vertices;  // of each hull; 0: boxes
+  cast_mover mover;
+  cast_end end;
+} cast_family;
+
+static const cast_family cast_families[] = {
     {.name = "ray hits 8-point hull", .vertices = 8, .mover = CAST_RAY, .end = CAST_HITS},
     {.name = "ray misses 8-point hull by the spheres", .vertices = 8, .mover = CAST_RAY, .end = CAST_FAR},
     {.name = "ray passes 8-point hull", .vertices = 8, .mover = CAST_RAY, .end = CAST_PASSES},
@@ -20,7 +43,6 @@ const cast_family cast_families[] = {
     {.name = "ball hits box", .mover = CAST_BALL, .end = CAST_HITS},
     {.name = "ball passes box", .mover = CAST_BALL, .end = CAST_PASSES},
 };
-const unsigned cast_family_count = sizeof cast_families / sizeof cast_families[0];
 
 #define VERTICES 64
 
@@ -30,10 +52,6 @@ static gjk_shape shapes[2];
 static gjk_collider colliders[2];
 static gjk_vec3 to;
 static gjk_cast_result result;
-
-void cast_bench_start(void) {
-  random = random_seed(51);
-}
 
 static gjk_vec3 random_vector(int32_t size) {
   gjk_vec3 v;
@@ -98,7 +116,8 @@ static bool is_in_family(const cast_family *family) {
   return false;
 }
 
-bool cast_bench_next(const cast_family *family) {
+// Makes the next cast of a family. False: its answer is not proven.
+static bool next_cast(const cast_family *family) {
   static const gjk_vec3 origin = {0, 0, 0};
   for (;;) {
     const gjk_vec3 from = shell_vector(GJK_Q16(3.0), 9), aim = shell_vector(GJK_Q16(2.0), 1);
@@ -117,7 +136,41 @@ bool cast_bench_next(const cast_family *family) {
   }
 }
 
-uint32_t cast_bench_run(const cast_family *family) {
+// Asks. Returns the iterations.
+COUNTED uint32_t run(const cast_family *family) {
   cast(family);
   return result.iterations;
+}
+
+static bool measure(const cast_family *family) {
+  count_tally t = {0, 0, 0};
+  uint32_t iterations = 0, stack = 0, unproven = 0;
+  random = random_seed(51);
+  for (unsigned i = 0; i < CAST_WAYS; i++) {
+    unproven += !next_cast(family);
+    const uintptr_t top = paint_stack();
+    const uint32_t start = board_ticks();
+    iterations += run(family);
+    count_add(&t, count_since(start));
+    const uint32_t depth = painted_depth(top);
+    stack = depth > stack ? depth : stack;
+  }
+  count_line(family->name, &t);
+  count_field(iterations * 100 / CAST_WAYS);
+  count_field(stack);
+  board_print("\n");
+  return unproven == 0;
+}
+
+int firmware_main(void) {
+  if (!count_prepare()) {
+    return 1;
+  }
+  for (unsigned i = 0; i < sizeof cast_families / sizeof cast_families[0]; i++) {
+    if (!measure(&cast_families[i])) {
+      board_print("an answer is not proven\n");
+      return 1;
+    }
+  }
+  return 0;
 }

@@ -1,7 +1,11 @@
-// Points on a sphere, and their hull.
-#include "hull_bench.h"
-
+// Firmware: instructions of building hulls of points on a sphere, one line per number of points.
+#include "count.h"
+#include "gjk/hull.h"
 #include "random.h"
+
+#ifndef HULL_BENCH_POINTS  // of boards with little memory fewer
+#define HULL_BENCH_POINTS 256
+#endif
 
 static gjk_vec3 point[HULL_BENCH_POINTS];
 static uint32_t workspace[GJK_HULL_WORKSPACE(HULL_BENCH_POINTS) / 4];
@@ -16,7 +20,8 @@ static int64_t root(int64_t x) {
   return r;
 }
 
-void hull_bench_make(unsigned count) {
+// Makes count points on a sphere of 2 units, the same ones on every target.
+COUNTED void make(unsigned count) {
   random_state random = random_seed(15);
   for (unsigned i = 0; i < count;) {
     const int64_t most = 1 << 20, x = random_range(&random, -(1 << 20), 1 << 20);
@@ -31,7 +36,26 @@ void hull_bench_make(unsigned count) {
   }
 }
 
-uint32_t hull_bench_build(unsigned count) {
+// Builds their hull. Returns its facets.
+COUNTED uint32_t build(unsigned count) {
   gjk_hull hull;
   return gjk_hull_build(point, (uint16_t)count, workspace, sizeof workspace, &hull) == GJK_OK ? hull.faces : 0;
+}
+
+int firmware_main(void) {
+  if (!count_prepare()) {
+    return 1;
+  }
+  for (unsigned count = 16; count <= HULL_BENCH_POINTS; count *= 2) {
+    make(count);
+    const uint32_t start = board_ticks(), faces = build(count), instructions = count_since(start);
+    board_print("hull of ");
+    print_decimal(board_print, count);
+    board_print(" points, ");
+    print_decimal(board_print, faces);
+    board_print(" facets: ");
+    print_decimal(board_print, instructions);
+    board_print(" instructions\n");
+  }
+  return 0;
 }

@@ -1,10 +1,25 @@
-// An arm of six links, in space and in the plane: its joints composed one by one, or as a chain.
-#include "joint_bench.h"
-
+// Firmware: instructions of an arm's poses, means of 16 poses, one line per task. The arm has six links, in space and in the
+// plane; its joints are composed one by one, or as a chain.
+#include "count.h"
+#include "gjk/collider.h"
 #include "gjk/distance.h"
 #include "gjk/joint.h"
 #include "gjk2/joint.h"
 #include "random.h"
+
+#define JOINT_BENCH_JOINTS 6
+
+typedef enum joint_bench_task {
+  JOINT_BENCH_COMPOSED,  // by gjk_quat_from_axis_angle and two gjk_pose_compose a joint
+  JOINT_BENCH_ANGLES,
+  JOINT_BENCH_ROTATIONS,
+  JOINT_BENCH_POSED,     // colliders of the links at these poses
+  JOINT_BENCH_DISTANCE,  // of each to a crate
+  JOINT_BENCH_COMPOSED2,
+  JOINT_BENCH_ANGLES2,
+  JOINT_BENCH_TASKS
+} joint_bench_task;
+#define POSES 16
 
 static const gjk_shape link = GJK_CAPSULE(GJK_Q16(0.06), GJK_Q16(0.2));
 static const gjk_shape crate = GJK_BOX(GJK_Q16(0.3), GJK_Q16(0.3), GJK_Q16(0.3));
@@ -20,7 +35,8 @@ static struct {
   gjk_collider links[JOINT_BENCH_JOINTS], crate;
 } arm;
 
-bool joint_bench_make(unsigned number) {
+// Makes the arms, and angles from a number.
+COUNTED bool make(unsigned number) {
   random_state random = random_seed(number);
   static const gjk_vec3 axes[3] = {{0, 0, 1}, {0, 1, 0}, {0, 1, 0}};
   const gjk_vec3 across = {1, 0, 0};
@@ -85,7 +101,8 @@ static bool ask(void) {
   return good;
 }
 
-bool joint_bench_run(joint_bench_task task) {
+// False: a call failed.
+COUNTED bool run(joint_bench_task task) {
   switch (task) {
     case JOINT_BENCH_COMPOSED: return compose();
     case JOINT_BENCH_ANGLES:
@@ -100,6 +117,35 @@ bool joint_bench_run(joint_bench_task task) {
   }
 }
 
-const gjk_pose *joint_bench_poses(bool chain) {
-  return chain ? arm.chain : arm.composed;
+int firmware_main(void) {
+  static const char *const names[JOINT_BENCH_TASKS] = {
+      "poses composed one by one", "poses as a chain",       "poses as a chain of rotations",
+      "posing colliders",          "distances of colliders", "plane: composed one by one",
+      "plane: as a chain"};
+  static uint32_t sum[JOINT_BENCH_TASKS];
+  if (!count_prepare()) {
+    return 1;
+  }
+  for (unsigned number = 0; number < POSES; number++) {
+    if (!make(number)) {
+      return 1;
+    }
+    for (unsigned task = 0; task < JOINT_BENCH_TASKS; task++) {
+      const uint32_t start = board_ticks();
+      if (!run((joint_bench_task)task)) {
+        return 1;
+      }
+      sum[task] += count_since(start);
+    }
+  }
+  board_print("an arm of ");
+  print_decimal(board_print, JOINT_BENCH_JOINTS);
+  board_print(" links, instructions a link\n");
+  for (unsigned task = 0; task < JOINT_BENCH_TASKS; task++) {
+    print_decimal(board_print, sum[task] / (POSES * JOINT_BENCH_JOINTS));
+    board_print("  ");
+    board_print(names[task]);
+    board_print("\n");
+  }
+  return 0;
 }

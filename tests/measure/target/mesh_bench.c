@@ -1,10 +1,13 @@
-// Gentle hills as a mesh and as a height field, and bodies on them.
-#include "mesh_bench.h"
-
+// Firmware: instructions of contacts, distances and rays with gentle hills as a mesh of 10,082 triangles, and as a height field.
+#include "count.h"
+#include "gjk/height_field.h"
+#include "gjk/mesh.h"
 #include "gjk/pose.h"
+#include "gjk/surface.h"
 #include "random.h"
 
-#define SIDE MESH_BENCH_SIDE
+#define SIDE 71  // cells along x and y, of one unit
+#define BODIES 64
 #define STEP GJK_Q16_ONE
 #define HEIGHT_STEP 64
 
@@ -21,7 +24,8 @@ static int32_t wave(unsigned i) {
   return x < 0 ? 4 * -x * (16 + x) : -4 * x * (16 - x);
 }
 
-bool mesh_bench_make(void) {
+// False: it could not be built.
+COUNTED bool make(void) {
   uint32_t count = 0;
   for (unsigned j = 0; j <= SIDE; j++) {
     for (unsigned i = 0; i <= SIDE; i++) {
@@ -46,7 +50,10 @@ bool mesh_bench_make(void) {
                         GJK_MESH_NODES(2 * SIDE * SIDE), &mesh) == GJK_OK;
 }
 
-void mesh_bench_place(mesh_bench_kind kind, unsigned i, gjk_collider *body) {
+// A box or a ball, about half a unit in half extent; rests on the ground at place i.
+typedef enum mesh_bench_kind { MESH_BENCH_BOX, MESH_BENCH_FLUSH, MESH_BENCH_BALL, MESH_BENCH_KINDS } mesh_bench_kind;
+
+COUNTED void place(mesh_bench_kind kind, unsigned i, gjk_collider *body) {
   static const gjk_shape box = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5)), ball = GJK_SPHERE(GJK_Q16(0.5));
   static const gjk_quat turned = {GJK_Q30(0.05), GJK_Q30(0.03), GJK_Q30(0.3), GJK_Q30(0.952)};
   random_state random = random_seed(1500 + i);
@@ -70,7 +77,8 @@ void mesh_bench_place(mesh_bench_kind kind, unsigned i, gjk_collider *body) {
   (void)gjk_collider_pose(body, &pose);
 }
 
-unsigned mesh_bench_contacts(const gjk_collider *body, bool of_field) {
+// The manifolds of the body with the mesh, or with the height field.
+COUNTED unsigned contacts(const gjk_collider *body, bool of_field) {
   static gjk_surface_contact found[32];
   static gjk_epa_cell cells[200];
   const gjk_workspace workspace = {cells, 200};
@@ -80,13 +88,14 @@ unsigned mesh_bench_contacts(const gjk_collider *body, bool of_field) {
   return count;
 }
 
-gjk_q16 mesh_bench_distance(const gjk_collider *body, bool of_field) {
+COUNTED gjk_q16 distance(const gjk_collider *body, bool of_field) {
   const gjk_parts of_mesh = GJK_PARTS_OF_MESH(&mesh), of_heights = GJK_PARTS_OF_HEIGHT_FIELD(&field);
   gjk_distance_result result;
   return gjk_parts_distance(of_field ? &of_heights : &of_mesh, body, NULL, &result) == GJK_OK ? result.distance : -1;
 }
 
-bool mesh_bench_ray(const gjk_collider *body, bool of_field) {
+// A ray from the body's place up to 16 units along the ground, which falls by 4. Does it hit?
+COUNTED bool ray(const gjk_collider *body, bool of_field) {
   const gjk_parts of_mesh = GJK_PARTS_OF_MESH(&mesh), of_heights = GJK_PARTS_OF_HEIGHT_FIELD(&field);
   const gjk_vec3 *from = &body->position;
   const gjk_vec3 to = {from->x < SIDE / 2 * STEP ? from->x + 15 * STEP : from->x - 15 * STEP, from->y + 5 * STEP,
@@ -94,4 +103,53 @@ bool mesh_bench_ray(const gjk_collider *body, bool of_field) {
   gjk_cast_result result;
   uint32_t part;
   return gjk_parts_cast_ray(of_field ? &of_heights : &of_mesh, from, &to, &part, &result) == GJK_OK && result.hit;
+}
+
+static void print_line(const char *name, bool of_field, uint32_t total, uint32_t most, unsigned manifolds,
+                       uint32_t above, uint32_t along, unsigned hits) {
+  board_print(name);
+  board_print(of_field ? " on a height field: " : " on a mesh: ");
+  print_decimal(board_print, total / BODIES);
+  board_print(" instructions for contacts, at most ");
+  print_decimal(board_print, most);
+  board_print(", ");
+  print_decimal(board_print, manifolds * 10 / BODIES);
+  board_print(" tenths of a manifold; 1 unit above, distance ");
+  print_decimal(board_print, above / BODIES);
+  board_print(", ray ");
+  print_decimal(board_print, along / BODIES);
+  board_print(", which hit ");
+  print_decimal(board_print, hits);
+  board_print("\n");
+}
+
+int firmware_main(void) {
+  static const char *const name[MESH_BENCH_KINDS] = {"turned box", "level box", "ball"};
+  if (!count_prepare() || !make()) {
+    return 1;
+  }
+  for (int surface = 0; surface < 2; surface++) {
+    for (int kind = 0; kind < MESH_BENCH_KINDS; kind++) {
+      count_tally t = {0, 0, 0};
+      uint32_t above = 0, along = 0;
+      unsigned manifolds = 0, hits = 0;
+      for (unsigned i = 0; i < BODIES; i++) {
+        gjk_collider body;
+        place((mesh_bench_kind)kind, i, &body);
+        uint32_t start = board_ticks();
+        manifolds += contacts(&body, surface != 0);
+        count_add(&t, count_since(start));
+        gjk_vec3 up = {body.position.x, body.position.y, body.position.z + GJK_Q16_ONE};
+        (void)gjk_collider_move(&body, &up);
+        start = board_ticks();
+        (void)distance(&body, surface != 0);
+        above += count_since(start);
+        start = board_ticks();
+        hits += ray(&body, surface != 0);
+        along += count_since(start);
+      }
+      print_line(name[kind], surface != 0, t.sum, t.worst, manifolds, above, along, hits);
+    }
+  }
+  return 0;
 }

@@ -1,5 +1,21 @@
-// A box against compounds of crates in rows.
-#include "parts_bench.h"
+// Firmware: instructions of queries of a box against compounds of crates in rows, with a tree and without: one line per query
+// and number of parts.
+#include "count.h"
+#include "gjk/gjk.h"
+
+#ifndef PARTS_BENCH_PARTS  // of boards with little memory fewer
+#define PARTS_BENCH_PARTS 128
+#endif
+
+// What is asked.
+typedef enum parts_bench_query {
+  PARTS_BENCH_INTERSECT,
+  PARTS_BENCH_DISTANCE,
+  PARTS_BENCH_CONTACTS,
+  PARTS_BENCH_CAST,
+  PARTS_BENCH_EACH_DISTANCE,  // no body: each part posed before, asked by gjk_distance
+  PARTS_BENCH_QUERIES
+} parts_bench_query;
 
 #define ROW 8
 
@@ -12,7 +28,8 @@ static gjk_collider each[PARTS_BENCH_PARTS];
 static gjk_parts body;
 static unsigned parts_made;
 
-void parts_bench_make(unsigned count, bool tree) {
+// Makes a compound of count crates, as a tree or as a list.
+COUNTED void make(unsigned count, bool tree) {
   const gjk_pose identity = GJK_POSE_IDENTITY;
   const gjk_pose turned = {{GJK_Q16(3), GJK_Q16(-2), GJK_Q16(1)}, {0, 0, 410903207, 992008094}};  // 45 degrees about z
   const gjk_parts of = GJK_PARTS_OF_COMPOUND(&compound);
@@ -42,7 +59,8 @@ void parts_bench_make(unsigned count, bool tree) {
   }
 }
 
-uint32_t parts_bench_ask(parts_bench_query query, unsigned place) {
+// Asks at one of 8 places of the box. Returns a number of the answer.
+COUNTED uint32_t ask(parts_bench_query query, unsigned place) {
   static gjk_parts_manifold manifolds[4];
   const gjk_pose at = {{GJK_Q16(3) + (gjk_q16)place * GJK_Q16(0.7), (gjk_q16)place * GJK_Q16(0.4),
                         query == PARTS_BENCH_CAST       ? GJK_Q16(6)
@@ -78,4 +96,33 @@ uint32_t parts_bench_ask(parts_bench_query query, unsigned place) {
     }
   }
   return answer;
+}
+
+int firmware_main(void) {
+  static const char *const names[PARTS_BENCH_QUERIES] = {"intersect", "distance", "contacts", "cast",
+                                                         "distance of each part posed before"};
+  static const unsigned counts[] = {8, 32, 128};
+  if (!count_prepare()) {
+    return 1;
+  }
+  for (unsigned k = 0; k < 3 && counts[k] <= PARTS_BENCH_PARTS; k++) {
+    for (int tree = 1; tree >= 0; tree--) {
+      make(counts[k], tree == 1);
+      for (int query = 0; query < PARTS_BENCH_QUERIES; query++) {
+        uint32_t sum = 0;
+        for (unsigned place = 0; place < 8; place++) {
+          const uint32_t start = board_ticks();
+          (void)ask((parts_bench_query)query, place);
+          sum += count_since(start);
+        }
+        print_decimal(board_print, counts[k]);
+        board_print(tree == 1 ? " parts, tree, " : " parts, list, ");
+        board_print(names[query]);
+        board_print(": ");
+        print_decimal(board_print, sum / 8);
+        board_print(" instructions\n");
+      }
+    }
+  }
+  return 0;
 }

@@ -3,43 +3,32 @@
 #include "count.h"
 #include "paint.h"
 #include "plane_bench.h"
-#include "print.h"
 
-static void field(uint32_t value) {
-  board_print("|");
-  print_decimal(board_print, value);
-}
-
-static void measure(const plane_family *family, uint32_t calibration) {
-  uint32_t sum = 0, worst = 0, iterations = 0, stack = 0;
+static void measure(const plane_family *family) {
+  count_tally t = {0, 0, 0};
+  uint32_t iterations = 0, stack = 0;
   plane_bench_start();
   for (unsigned i = 0; i < PLANE_PAIRS; i++) {
     plane_bench_next(family);
     const uintptr_t top = paint_stack();
     const uint32_t start = board_ticks();
     iterations += plane_bench_run(family);
-    const uint32_t count = count_instructions(board_ticks() - start, calibration);
+    count_add(&t, count_since(start));
     const uint32_t depth = painted_depth(top);
-    sum += count;
-    worst = count > worst ? count : worst;
     stack = depth > stack ? depth : stack;
   }
-  board_print(family->name);
-  field(sum / PLANE_PAIRS);
-  field(worst);
-  field(iterations * 100 / PLANE_PAIRS);
-  field(stack);
+  count_line(family->name, &t);
+  count_field(iterations * 100 / PLANE_PAIRS);
+  count_field(stack);
   board_print("\n");
 }
 
 int firmware_main(void) {
-  const uint32_t calibration = count_calibrate();
-  if (calibration == 0) {
-    board_print("the counter does not count instructions\n");
+  if (!count_prepare()) {
     return 1;
   }
   for (unsigned i = 0; i < plane_family_count; i++) {
-    measure(&plane_families[i], calibration);
+    measure(&plane_families[i]);
   }
   return 0;
 }

@@ -3,9 +3,7 @@
 #include "worst.h"
 
 #include "count.h"
-#include "print.h"
 
-static uint32_t calibration;
 static unsigned iterations;
 
 static uint32_t instructions(const worst_family *family, const worst_pair *pair) {
@@ -14,7 +12,7 @@ static uint32_t instructions(const worst_family *family, const worst_pair *pair)
   }
   const uint32_t start = board_ticks();
   iterations = worst_query(family);
-  return count_instructions(board_ticks() - start, calibration);
+  return count_since(start);
 }
 
 #ifdef WORST_MEASUREMENTS
@@ -55,10 +53,5 @@ static int run(void) {
 #endif
 
 int firmware_main(void) {
-  calibration = count_calibrate();
-  if (calibration == 0) {
-    board_print("the counter does not count instructions\n");
-    return 1;
-  }
-  return run();
+  return count_prepare() ? run() : 1;
 }

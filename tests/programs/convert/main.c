@@ -189,11 +189,7 @@ static int convert(const options *o, mesh_file *file, mesh *m, size_t points) {
     return EXIT_INPUT;
   }
   const size_t bytes = GJK_HULL_WORKSPACE(m->points);
-  void *workspace = malloc(bytes);
-  if (workspace == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    return EXIT_INPUT;
-  }
+  void *workspace = solid_allocate(bytes, 1);
   int result = EXIT_INPUT;
   if (gjk_hull_build(m->point, (uint16_t)m->points, workspace, bytes, &hull) != GJK_OK) {
     fprintf(stderr, "%s: the points are more than 8190 units apart along an axis\n", file->name);

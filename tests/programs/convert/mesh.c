@@ -7,17 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "polygon.h"
-
-static void *grow(void *memory, size_t *room, size_t size) {
-  *room = *room == 0 ? 256 : 2 * *room;
-  void *grown = realloc(memory, *room * size);
-  if (grown == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
-  return grown;
-}
 
 void mesh_free(mesh *m) {
   free(m->point);
@@ -54,7 +45,7 @@ bool mesh_add_point(mesh *m, mesh_file *file, const double xyz[3]) {
     m->most_rounding = fmax(m->most_rounding, fabs(exact - rounded));
   }
   if (m->points == m->point_room) {
-    m->point = grow(m->point, &m->point_room, sizeof m->point[0]);
+    m->point = solid_grow(m->point, &m->point_room, sizeof m->point[0]);
   }
   const gjk_vec3 point = {lsb[0], lsb[1], lsb[2]};
   m->point[m->points++] = point;
@@ -70,19 +61,16 @@ bool mesh_add_polygon(mesh *m, mesh_file *file, const int64_t *corner, size_t co
       return mesh_fail(file, "a face with a corner that is no vertex");
     }
   }
-  uint32_t *at = malloc(corners * sizeof at[0]);
+  uint32_t *at = solid_allocate(corners, sizeof at[0]);
   while (m->triangle_room - m->triangles < corners - 2) {
     size_t room = m->triangle_room;
-    m->face = grow(m->face, &room, sizeof m->face[0]);
-    m->triangle = grow(m->triangle, &m->triangle_room, sizeof m->triangle[0]);
+    m->face = solid_grow(m->face, &room, sizeof m->face[0]);
+    m->triangle = solid_grow(m->triangle, &m->triangle_room, sizeof m->triangle[0]);
   }
-  for (size_t i = 0; i < corners && at != NULL; i++) {
+  for (size_t i = 0; i < corners; i++) {
     at[i] = (uint32_t)corner[i];
   }
-  if (at == NULL || !polygon_cut(m->point, at, corners, m->triangle + m->triangles)) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
+  polygon_cut(m->point, at, corners, m->triangle + m->triangles);
   free(at);
   m->faces++;
   for (size_t i = 0; i + 2 < corners; i++) {
@@ -111,12 +99,8 @@ static bool is_same(gjk_vec3 a, gjk_vec3 b) {
 }
 
 void mesh_weld(mesh *m) {
-  numbered_point *sorted = malloc((m->points + 1) * sizeof sorted[0]);
-  uint32_t *number = malloc((m->points + 1) * sizeof number[0]);
-  if (sorted == NULL || number == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
+  numbered_point *sorted = solid_allocate(m->points, sizeof sorted[0]);
+  uint32_t *number = solid_allocate(m->points, sizeof number[0]);
   for (size_t i = 0; i < m->points; i++) {
     sorted[i].at = m->point[i];
     sorted[i].number = (uint32_t)i;
@@ -160,11 +144,7 @@ static int by_value(const void *a, const void *b) {
 
 bool mesh_is_watertight(const mesh *m) {
   const size_t edges = 3 * m->triangles;
-  uint64_t *forth = malloc((edges + 1) * sizeof forth[0]), *back = malloc((edges + 1) * sizeof back[0]);
-  if (forth == NULL || back == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
+  uint64_t *forth = solid_allocate(edges, sizeof forth[0]), *back = solid_allocate(edges, sizeof back[0]);
   for (size_t i = 0; i < edges; i++) {
     const uint64_t from = m->triangle[i / 3][i % 3], to = m->triangle[i / 3][(i + 1) % 3];
     forth[i] = from << 32 | to;

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "memory.h"
+
 __extension__ typedef __int128 wide;
 
 typedef struct flat_point {
@@ -98,28 +100,24 @@ static void cut_ears(const flat_point *flat, const uint32_t *at, size_t corners,
   }
 }
 
-bool polygon_cut(const gjk_vec3 *points, const uint32_t *at, size_t corners, uint32_t (*triangle)[3]) {
-  flat_point *flat = malloc(corners * sizeof flat[0]);
-  size_t *left = malloc(corners * sizeof left[0]);
-  const bool done = flat != NULL && left != NULL;
-  if (done) {
-    bool fan = !flatten(points, at, corners, flat);
-    for (size_t i = 1; i + 1 < corners && !fan; i++) {
-      if (turn(&flat[0], &flat[i], &flat[i + 1]) <= 0) {
-        break;
-      }
-      fan = i + 2 == corners;
+void polygon_cut(const gjk_vec3 *points, const uint32_t *at, size_t corners, uint32_t (*triangle)[3]) {
+  flat_point *flat = solid_allocate(corners, sizeof flat[0]);
+  size_t *left = solid_allocate(corners, sizeof left[0]);
+  bool fan = !flatten(points, at, corners, flat);
+  for (size_t i = 1; i + 1 < corners && !fan; i++) {
+    if (turn(&flat[0], &flat[i], &flat[i + 1]) <= 0) {
+      break;
     }
-    for (size_t i = 1; i + 1 < corners && fan; i++) {
-      triangle[i - 1][0] = at[0];
-      triangle[i - 1][1] = at[i];
-      triangle[i - 1][2] = at[i + 1];
-    }
-    if (!fan) {
-      cut_ears(flat, at, corners, left, triangle);
-    }
+    fan = i + 2 == corners;
+  }
+  for (size_t i = 1; i + 1 < corners && fan; i++) {
+    triangle[i - 1][0] = at[0];
+    triangle[i - 1][1] = at[i];
+    triangle[i - 1][2] = at[i + 1];
+  }
+  if (!fan) {
+    cut_ears(flat, at, corners, left, triangle);
   }
   free(left);
   free(flat);
-  return done;
 }

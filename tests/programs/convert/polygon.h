@@ -14,7 +14,8 @@
 //
 // points    of the whole mesh; at[i] is the number of corner i.
 // triangle  corners - 2 of them.
-// False     out of memory. A polygon that crosses itself may leave triangles that overlap; its edges are kept all the same.
-bool polygon_cut(const gjk_vec3 *points, const uint32_t *at, size_t corners, uint32_t (*triangle)[3]);
+//
+// A polygon that crosses itself may leave triangles that overlap; its edges are kept all the same.
+void polygon_cut(const gjk_vec3 *points, const uint32_t *at, size_t corners, uint32_t (*triangle)[3]);
 
 #endif

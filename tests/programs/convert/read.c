@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+
 char *read_whole(const char *name, size_t *bytes) {
   FILE *f = fopen(name, "rb");
   if (f == NULL) {
@@ -18,12 +20,7 @@ char *read_whole(const char *name, size_t *bytes) {
   for (;;) {
     if (*bytes == room) {
       room = room == 0 ? 65536 : 2 * room;
-      char *grown = realloc(text, room);
-      if (grown == NULL) {
-        fprintf(stderr, "gjk-convert: out of memory\n");
-        exit(2);
-      }
-      text = grown;
+      text = solid_need(realloc(text, room));
     }
     const size_t got = fread(text + *bytes, 1, room - *bytes, f);
     *bytes += got;

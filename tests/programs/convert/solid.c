@@ -8,25 +8,6 @@
 #include "areas.h"
 #include "exact/integer.h"
 
-void *solid_allocate(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (memory == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
-
-void *solid_grow(void *memory, size_t *room, size_t size) {
-  *room = *room == 0 ? 16 : 2 * *room;
-  void *grown = realloc(memory, *room * size);
-  if (grown == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
-  return grown;
-}
-
 static int64_t magnitude(int64_t a) {
   return a < 0 ? -a : a;
 }

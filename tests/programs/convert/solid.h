@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "memory.h"
 #include "mesh.h"
 
 __extension__ typedef __int128 solid_wide;
@@ -33,10 +34,6 @@ typedef struct solid {
   int32_t high[3];     // the highest corner
   solid_wide volume6;  // six times the volume, each point counted as often as the surface winds around it
 } solid;
-
-// Memory, or the end of the program with a message.
-void *solid_allocate(size_t count, size_t size);
-void *solid_grow(void *memory, size_t *room, size_t size);
 
 // The plane through three points, counterclockwise when seen from beyond; n = 0: they are on a line.
 solid_plane solid_plane_of(const int32_t a[3], const int32_t b[3], const int32_t c[3]);

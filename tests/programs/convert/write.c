@@ -7,6 +7,7 @@
 
 #include "gjk/collider.h"
 #include "gjk/table.h"
+#include "memory.h"
 
 void write_name(char *out, size_t room, const char *name, bool file) {
   const char *slash = strrchr(name, '/');
@@ -55,17 +56,8 @@ void write_info(const gjk_hull *hull, size_t points, bool watertight) {
   printf(" watertight=%s\n", watertight ? "yes" : "no");
 }
 
-static void *allocate(size_t count, size_t size) {
-  void *memory = malloc((count + 1) * size);
-  if (memory == NULL) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
-
 static gjk_vec3 *vertices_of(const gjk_hull *hull) {
-  gjk_vec3 *vertex = allocate(hull->vertices, sizeof vertex[0]);
+  gjk_vec3 *vertex = solid_allocate(hull->vertices, sizeof vertex[0]);
   gjk_hull_vertices(hull, vertex, hull->vertices);
   return vertex;
 }
@@ -111,7 +103,7 @@ static void print_numbers(const char *name, const char *what, const uint16_t *nu
 static bool write_table(const gjk_hull *hull, const char *name, int level) {
   const size_t cells = GJK_TABLE_CELLS(level);
   gjk_vec3 *vertex = vertices_of(hull);
-  uint16_t *listed = allocate(65535, sizeof listed[0]), *end = allocate(cells, sizeof end[0]);
+  uint16_t *listed = solid_allocate(65535, sizeof listed[0]), *end = solid_allocate(cells, sizeof end[0]);
   const bool fits = gjk_hull_table_make(vertex, hull->vertices, (uint8_t)level, listed, 65535, end) == GJK_OK;
   if (fits) {
     print_numbers(name, "listed", listed, end[cells - 1]);
@@ -131,7 +123,7 @@ bool write_source(const gjk_hull *hull, const char *name, int level) {
     return false;
   }
   const size_t corners = 3 * (size_t)hull->corners < 65535 ? 3 * (size_t)hull->corners : 65535;
-  uint16_t *corner = allocate(corners, sizeof corner[0]), *end = allocate(corners, sizeof end[0]);
+  uint16_t *corner = solid_allocate(corners, sizeof corner[0]), *end = solid_allocate(corners, sizeof end[0]);
   gjk_hull_faces faces = {NULL, NULL, 0};
   bool done = false;
   const gjk_status status = gjk_hull_write_faces(hull, corner, (uint16_t)corners, end, (uint16_t)corners, &faces);

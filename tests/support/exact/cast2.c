@@ -5,36 +5,24 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "refuse.h"
-
-static const exact_point nowhere = {{0, 0, 0}};
-
 static exact_point to_point(const gjk2_vec *v) {
   const exact_point p = {{v->x, v->y, 0}};
   return p;
 }
 
-static exact_point way_of(const gjk2_collider *c, const gjk2_vec *to) {
-  const exact_point at = to_point(&c->position), end = to == NULL ? at : to_point(to);
-  return exact_subtract(&end, &at);
+static bool is_zero_unit(const gjk2_unit *v) {
+  return v->x == 0 && v->y == 0;
 }
 
-static bool stays_in_range(const gjk2_collider *c, const exact_point *way) {
-  const int64_t x = c->centre.x + way->x[0], y = c->centre.y + way->x[1];
-  return x >= INT32_MIN && x <= INT32_MAX && y >= INT32_MIN && y <= INT32_MAX;
-}
+#define gjk_collider gjk2_collider
+#define gjk_vec3 gjk2_vec
+#define gjk_cast_path gjk2_cast_path
+#define gjk_cast_result gjk2_cast_result
+#define exact_cast exact2_cast
+#define exact_cast_is_in_range exact2_cast_is_in_range
+#define exact_check_cast exact2_check_cast
 
-bool exact2_cast_is_in_range(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
-                             exact2_cast *out) {
-  const int64_t limit = INT64_C(1) << 32;
-  out->a = a;
-  out->b = b;
-  out->way_a = way_of(a, path->to_a);
-  out->way_b = way_of(b, path->to_b);
-  out->way = exact_subtract(&out->way_b, &out->way_a);
-  return stays_in_range(a, &out->way_a) && stays_in_range(b, &out->way_b) && llabs(out->way.x[0]) < limit &&
-         llabs(out->way.x[1]) < limit;
-}
+#include "cast_common.h"
 
 static int64_t along(const exact_point *n, const exact2_point *p) {
   return n->x[0] * p->x + n->x[1] * p->y;
@@ -111,48 +99,6 @@ bool exact2_cast_set(const gjk2_collider *a, const gjk2_collider *b, const gjk2_
   return true;
 }
 
-void exact2_cast_free(exact2_cast *cast) {
-  exact2_posed_free(&cast->at_a);
-  exact2_posed_free(&cast->at_b);
-  exact_difference_free(&cast->difference);
-}
-
-static bool is_near(const exact_cast_truth *truth, const gjk2_collider *c, const exact_point *way,
-                    const gjk2_vec *place, int64_t limit) {
-  const exact_point at = to_point(&c->position), found = to_point(place);
-  for (int i = 0; i < 2; i++) {
-    if (exact_cast_compare(truth, &at, way, i, found.x[i] - limit) <= 0 ||
-        exact_cast_compare(truth, &at, way, i, found.x[i] + limit) >= 0) {
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool same(const gjk2_vec *a, const gjk2_vec *b) {
-  return a->x == b->x && a->y == b->y;
-}
-
-static bool rests(const exact2_cast *cast, const gjk2_cast_result *r, char *why, size_t n) {
-  const bool stands = cast->way_a.x[0] == 0 && cast->way_a.x[1] == 0;
-  if (cast->truth.inside) {
-    return (same(&r->rest_a, &cast->a->position) && same(&r->rest_b, &cast->b->position)) ||
-           refuse(why, n, "inside: the places of rest are not the start");
-  }
-  if (!is_near(&cast->truth, cast->a, &cast->way_a, &r->rest_a, 1)) {
-    return refuse(why, n, "A's place of rest is an LSB off");
-  }
-  if (!is_near(&cast->truth, cast->b, &cast->way_b, &r->rest_b, stands ? 1 : 2)) {
-    return refuse(why, n, "B's place of rest is an LSB off");
-  }
-  const exact_point a = to_point(&r->rest_a), b = to_point(&r->rest_b);
-  const exact_point at_a = to_point(&cast->a->position), at_b = to_point(&cast->b->position);
-  const exact_point by_a = exact_subtract(&a, &at_a), by_b = exact_subtract(&b, &at_b);
-  const exact_point at = exact_subtract(&by_b, &by_a);
-  return exact_difference_side(&cast->difference, &at, &nowhere, 0, 1) <= 0 ||
-         refuse(why, n, "at their places of rest they overlap");
-}
-
 // Is the point within so many LSB of the shape moved by a vector? By the oracle of the plane.
 static bool is_of_shape(const gjk2_vec *point, const exact2_posed *shape, const gjk2_vec *from, const gjk2_vec *to,
                         int64_t limit) {
@@ -163,7 +109,7 @@ static bool is_of_shape(const gjk2_vec *point, const exact2_posed *shape, const 
 
 // The shapes are at the reported fraction, which is less than a step of 2^-30 of the way before contact.
 static bool are_points(const exact2_cast *cast, const gjk2_cast_result *r, char *why, size_t n) {
-  const bool stands = cast->way_a.x[0] == 0 && cast->way_a.x[1] == 0;
+  const bool stands = is_zero(&cast->way_a);
   const int64_t longest = llabs(cast->way.x[0]) + llabs(cast->way.x[1]), step = longest / GJK_Q30_ONE;
   if (llabs((long long)r->point_a.x - r->point_b.x) > 1 + step ||
       llabs((long long)r->point_a.y - r->point_b.y) > 1 + step) {
@@ -179,10 +125,6 @@ static bool are_points(const exact2_cast *cast, const gjk2_cast_result *r, char 
 // A unit within 2^-28, against the way, and no a - b beyond the line across it through the entry.
 static bool is_normal(const exact2_cast *cast, const gjk2_cast_result *r, char *why, size_t n) {
   const long double x = r->normal.x, y = r->normal.y, unit = GJK_Q30_ONE;
-  if (cast->truth.inside) {
-    const bool inner = exact_difference_side(&cast->difference, &nowhere, &nowhere, 0, 1) > 0;
-    return (x == 0 && y == 0) || !inner || refuse(why, n, "a normal, though they overlap at the start");
-  }
   const long double fraction = (long double)cast->truth.numerator / (long double)cast->truth.denominator;
   const long double way_x = (long double)cast->way.x[0], way_y = (long double)cast->way.x[1];
   bool right =
@@ -196,20 +138,4 @@ static bool is_normal(const exact2_cast *cast, const gjk2_cast_result *r, char *
     }
   }
   return right || refuse(why, n, "the normal");
-}
-
-bool exact2_check_cast(const exact2_cast *cast, const gjk2_cast_result *result, char *why, size_t n) {
-  const exact_cast_truth *truth = &cast->truth;
-  if (result->hit != truth->hit) {
-    return refuse(why, n, "%s", truth->hit ? "a hit is missed" : "a miss is hit");
-  }
-  if (!truth->hit) {
-    return true;
-  }
-  if (result->inside != truth->inside || result->fraction != truth->fraction) {
-    return refuse(why, n, "fraction %ld, exactly %ld%s", (long)result->fraction, (long)truth->fraction,
-                  truth->inside ? ", inside" : "");
-  }
-  return is_normal(cast, result, why, n) && rests(cast, result, why, n) &&
-         (result->saturated || truth->inside || are_points(cast, result, why, n));
 }

@@ -19,7 +19,6 @@ typedef struct exact2_cast {
 bool exact2_cast_is_in_range(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
                              exact2_cast *out);
 bool exact2_cast_set(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path, exact2_cast *out);
-void exact2_cast_free(exact2_cast *cast);
 
 // Is it the answer to gjk2_cast after GJK_OK? Checked: hit, inside, fraction, normal, points, places of rest.
 bool exact2_check_cast(const exact2_cast *cast, const gjk2_cast_result *result, char *why, size_t n);

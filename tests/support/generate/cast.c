@@ -614,12 +614,3 @@ void generate_cast(const generate_cast_family *family, uint64_t seed, case_pair 
   }
   snprintf(pair->id, sizeof pair->id, "%s-%llu", family->name, (unsigned long long)seed);
 }
-
-void generate_cast_ray(case_pair *pair) {
-  case_shape *b = &pair->b;
-  pair->a.moves = false;
-  pair->a.end = pair->a.pose;
-  b->kind = CASE_POINT;
-  b->count = 0;
-  b->convex_radius = 0;
-}

@@ -20,7 +20,4 @@ extern const unsigned generate_cast_family_count;
 // Makes the cast of a family and a seed. B moves, A sometimes. pair is zeroed before the first call.
 void generate_cast(const generate_cast_family *family, uint64_t seed, case_pair *pair);
 
-// Makes a ray: of B remains the point of its centre, with the same way; A stands.
-void generate_cast_ray(case_pair *pair);
-
 #endif

@@ -75,14 +75,6 @@ static void query(const solver_shape *a, const solver_shape *b, gjk_vec3 origin,
   }
 }
 
-void REFERENCE_NAME(query)(const case_pair *pair, reference_result *out) {
-  gjk_vec3 origin = pair->a.pose.position;
-  solver_shape a, b;
-  solver_from_case(&a, &pair->a, origin);
-  solver_from_case(&b, &pair->b, origin);
-  query(&a, &b, origin, false, out);
-}
-
 static void query_posed(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
                         reference_result *out) {
   gjk_vec3 origin = a->collider.centre;

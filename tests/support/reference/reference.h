@@ -17,15 +17,10 @@ typedef struct reference_result {
   int iterations;
 } reference_result;
 
-// The distance of the shapes at their poses in the reals.
-void reference_query(const case_pair *pair, reference_result *out);
-
 // The distance of the shapes as posed by the library, so that only the query differs: polytopes by their integer
 // vertices, lazy hulls and curved shapes by their rotation matrix. Pre: a and b were built from pair.
 void reference_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                            reference_result *out);
-
-void reference_float_query(const case_pair *pair, reference_result *out);
 void reference_float_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                                  reference_result *out);
 

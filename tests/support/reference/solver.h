@@ -58,7 +58,7 @@ static void set_centre(solver_shape *shape, gjk_vec3 at, gjk_vec3 origin) {
 }
 
 // A shape of a case at its pose in the reals, relative to origin.
-static void solver_from_case(solver_shape *out, const case_shape *shape, gjk_vec3 origin) {
+static inline void solver_from_case(solver_shape *out, const case_shape *shape, gjk_vec3 origin) {
   out->kind = shape->kind;
   out->vertices = shape->vertices;
   out->count = shape->count;

@@ -5,7 +5,7 @@ from ctypes import POINTER, c_bool, c_int16, c_int32, c_uint8, c_uint16, c_uint3
 
 from .._library import Error, Int32, Record, Status, Uint16, answer, check_sizes, checked, constant, declare, do
 from .bodies import Collider, Pose, Shape, Vec
-from .queries import CastPath, CastResult, DistanceResult, Manifold, _path
+from .queries import CastPath, CastResult, DistanceResult, Manifold, cast_path
 
 __all__ = ["ChainContact", "Ground", "Tile", "chain", "heights", "tiles"]
 
@@ -105,7 +105,7 @@ class Ground:
 
     def cast(self, body, to=None, to_ground=None, margin=0, pose=None):
         """The number of the segment that a body meets first on a straight way, and its CastResult; None: none."""
-        return self._first(_cast, pose or Pose(), body, _path(to_ground, to, margin))
+        return self._first(_cast, pose or Pose(), body, cast_path(to_ground, to, margin))
 
     def cast_ray(self, start, end, pose=None):
         """Where a ray enters from the outside: the segment's number and its CastResult; None: nowhere."""

@@ -1,26 +1,9 @@
 // Scenes at rest and falling, replayed: see usage. A pass goes through a recording and back, 2 REST_TICKS ticks.
 #define _POSIX_C_SOURCE 199309L
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-
+#include "../../measuring.h"
 #include "gjk/pose.h"
 #include "gjk2/pose.h"
 #include "rest.h"
-
-#if defined __has_include
-#if __has_include(<valgrind/callgrind.h>)
-#define HAVE_CALLGRIND 1
-// Its macros are not ISO C.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"
-#pragma GCC diagnostic ignored "-Wconversion"
-#include <valgrind/callgrind.h>
-#pragma GCC diagnostic pop
-#endif
-#endif
 
 static const char usage[] =
     "usage: gjk-rest record DIR   lets all scenes fall under a solver, and writes their poses\n"
@@ -63,23 +46,12 @@ static bool read_recording(const char *dir, rest_stage *s) {
   return fine;
 }
 
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
-
 static bool pass(const rest_method *m, void *world, rest_found *found) {
   bool fine = true;
   for (unsigned i = 1; i <= 2 * REST_TICKS && fine; i++) {
     fine = m->go(world, i <= REST_TICKS ? i : 2 * REST_TICKS - i, found);
   }
   return fine;
-}
-
-static int compare(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
 }
 
 // The others' worlds are there at the same time, so all methods are measured in turn.
@@ -92,17 +64,16 @@ static bool measure(const rest_stage *s) {
     for (unsigned i = 0; i < METHODS && fine; i++) {
       if (methods[i] != NULL && methods[i]->plane == s->plane) {
         world[i] = world[i] != NULL ? world[i] : methods[i]->start(s);
-        const double from = now();
+        const double from = measuring_ns(CLOCK_PROCESS_CPUTIME_ID);
         fine = world[i] != NULL && pass(methods[i], world[i], &found[i]);
-        ns[i][p < WARM_UP ? 0 : p - WARM_UP] = (now() - from) / (2 * REST_TICKS);
+        ns[i][p < WARM_UP ? 0 : p - WARM_UP] = (measuring_ns(CLOCK_PROCESS_CPUTIME_ID) - from) / (2 * REST_TICKS);
       }
     }
   }
   for (unsigned i = 0; i < METHODS; i++) {
     if (world[i] != NULL) {
       const rest_found *f = &found[i];
-      qsort(ns[i], PASSES, sizeof ns[i][0], compare);
-      printf("%s;%s;ns;%.0f\n", s->name, methods[i]->name, ns[i][PASSES / 2]);
+      printf("%s;%s;ns;%.0f\n", s->name, methods[i]->name, measuring_median(ns[i], PASSES));
       printf("%s;%s;found;%u of %u moved, %u pairs, %u near, %u manifolds, %u queried\n", s->name, methods[i]->name,
              f->moved, s->bodies, f->pairs, f->near, f->manifolds, f->queried);
       methods[i]->stop(world[i]);
@@ -113,7 +84,6 @@ static bool measure(const rest_stage *s) {
 }
 
 static bool count(const rest_stage *s) {
-#ifdef HAVE_CALLGRIND
   bool fine = true;
   for (unsigned i = 0; i < METHODS && fine; i++) {
     if (methods[i] != NULL && methods[i]->plane == s->plane) {
@@ -121,21 +91,12 @@ static bool count(const rest_stage *s) {
       char label[200];
       void *world = methods[i]->start(s);
       snprintf(label, sizeof label, "%s;%s", s->name, methods[i]->name);
-      fine = world != NULL && pass(methods[i], world, &found);
-      CALLGRIND_START_INSTRUMENTATION;
-      CALLGRIND_ZERO_STATS;
-      fine = fine && pass(methods[i], world, &found);
-      CALLGRIND_DUMP_STATS_AT(label);
-      CALLGRIND_STOP_INSTRUMENTATION;
+      fine = world != NULL && pass(methods[i], world, &found) && measuring_count() && pass(methods[i], world, &found);
+      measuring_dump(label);
       methods[i]->stop(world);
     }
   }
   return fine;
-#else
-  (void)s;
-  fputs("gjk-rest: built without callgrind's header\n", stderr);
-  return false;
-#endif
 }
 
 static bool record(const char *dir, rest_stage *s) {
