@@ -83,14 +83,16 @@ def access(form, types):
         return None
     (function, *given), place = equation[1][1:]
     kinds = dict(arguments)
-    if function not in types or not all(isinstance(a, str) for a in given + [place]) or place not in kinds or place in given or set(given) | {place} != set(kinds):
+    if function not in types or not all(isinstance(a, str) for a in given + [place]):
+        return None
+    if set(given + [place]) != set(kinds) or not len(given) + 1 == len(kinds) == len(arguments):
         return None
     return ["define-fun", function, [[a, kinds[a]] for a in given], types[function],
             ["lambda", [[place, kinds[place]]], equation[2]]]
 
 
 def identity(form, types):
-    """(assert (forall ((X KIND)) (=> GUARD (= (NAME X) X)))): NAME is its argument there, or else another function's."""
+    """(assert (forall ((X KIND)) (=> GUARD (= (NAME X) X)))): NAME is X there, and else another function; or None."""
     arguments, rule = flat(form[1])
     if len(arguments) != 1 or rule[0] != "=>" or rule[2][0] != "=" or rule[2][2] != arguments[0][0]:
         return None
@@ -145,7 +147,8 @@ types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
 goal_form = problem[goal][1]
 defined, others = {}, []
 for i, (n, f) in enumerate(problem):
-    found = f[0] == "assert" and f is not goal_form and (definition(n, f, types) or access(f, types) or identity(f, types))
+    found = f[0] == "assert" and f is not goal_form
+    found = found and (definition(n, f, types) or access(f, types) or identity(f, types))
     if found and found[1] not in defined:
         defined[found[1]] = found
         problem[i] = (n, found)
