@@ -64,6 +64,7 @@ fault other-side src/gjk/gjk_simplex.c gjk_simplex_set 's->toward[0][1] > 0 && s
 fault vertex-of-a-twice $check load 'certificate->b[i]' 'certificate->a[i]' "$open"
 fault high-words-below-0 src/arith/gjk_vector_inline.h gjk_dot_sign 'top < -1 ? -1 : gjk_dot_sign_exact' 'top < 0 ? -1 : gjk_dot_sign_exact' "$open"
 fault low-word-of-y src/arith/gjk_vector.c gjk_dot_sign_exact 'gjk_low_balanced(n->z), v->z);' 'gjk_low_balanced(n->z), v->y);' "$open"
+fault limit-of-x src/gjk/gjk_frame.c longer_than '(uint32_t)limit, (uint32_t)limit);' '(uint32_t)limit, (uint32_t)x);' "$open"
 fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'

@@ -29,6 +29,7 @@
       axiom and16: \forall integer x; (x & 0xffff) == x - 0x10000 * down(x, 16);
       axiom and31: \forall integer x; (x & 0x7fffffff) == x - 0x80000000 * down(x, 31);
       axiom and32: \forall integer x; (x & 0xffffffff) == x - 0x100000000 * down(x, 32);
+      axiom above31: \forall integer x; 0 <= x < 0x10000000000000000 ==> (x & 0xffffffff80000000) == 0x80000000 * down(x, 31);
       axiom or16: \forall integer x, y;
         0 <= x == 0x10000 * down(x, 16) && 0 <= y < 0x10000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or31: \forall integer x, y;
