@@ -57,6 +57,14 @@ fault long-direction $check is_separating '>= UINT64_C(1) << 62) {' '>= UINT64_C
 fault radius-of-0 $check is_apart 'is_separating(it, &certificate->direction, radius)' 'is_separating(it, &certificate->direction, 0)' "$open"
 fault smaller-spheres src/gjk/gjk_iteration.c gjk_iteration_start 'gjk_goal_separates(goal), radius)' 'gjk_goal_separates(goal), radius / 2)' "$open"
 fault near-without-foot $check proves_near 'gjk_simplex_set(&it->simplex, certificate->count) && gjk_iteration_near(it)' 'gjk_iteration_near(it)' "$open"
+fault normal-of-other-corner src/gjk/gjk_simplex.c set_triangle_normal '&s->slot[w].w, &s->normal);' '&s->slot[y].w, &s->normal);' "$open"
+fault volume-of-two src/gjk/gjk_simplex.c volume_sign 'return gjk_dot_sign(&product, &s->slot[k].w);' 'return gjk_dot_sign(&product, &s->slot[j].w);' "$open"
+fault product-of-0 src/gjk/gjk_simplex.c set_products 'set_product(s, w, square, &v' 'set_product(s, w, 0, &v' "$open"
+fault other-side src/gjk/gjk_simplex.c gjk_simplex_set 's->toward[0][1] > 0 && s->toward[1][0] > 0' 's->toward[0][1] > 0' "$open"
+fault vertex-of-a-twice $check load 'certificate->b[i]' 'certificate->a[i]' "$open"
+fault high-words-below-0 src/arith/gjk_vector_inline.h gjk_dot_sign 'top < -1 ? -1 : gjk_dot_sign_exact' 'top < 0 ? -1 : gjk_dot_sign_exact' "$open"
+fault low-word-of-y src/arith/gjk_vector.c gjk_dot_sign_exact 'gjk_low_balanced(n->z), v->z);' 'gjk_low_balanced(n->z), v->y);' "$open"
+fault limit-of-x src/gjk/gjk_frame.c longer_than '(uint32_t)limit, (uint32_t)limit);' '(uint32_t)limit, (uint32_t)x);' "$open"
 fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'

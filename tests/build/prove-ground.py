@@ -8,6 +8,9 @@ import subprocess
 import sys
 
 
+ELSE = "-else"
+
+
 def forms(text):
     """The top-level forms, each with the comment before it."""
     name, stack, out = "", [], []
@@ -48,15 +51,56 @@ def inner(form):
     return ["=", equation[1], ["let", form[1], equation[2]]] if equation[0] == "=" else form
 
 
+def bare(form):
+    """A formula without what says where to use it: (! FORMULA :pattern (TERMS))."""
+    return form[1] if form[0] == "!" else form
+
+
 def definition(name, form, types):
     """(assert (forall (ARGUMENTS) (= (NAME ARGUMENTS) BODY))), or None."""
     function = re.sub("['_]def$", "", name)
     if function == name or function not in types or form[1][0] != "forall":
         return None
-    arguments, equation = form[1][1], inner(form[1][2])
+    arguments, equation = form[1][1], inner(bare(form[1][2]))
     if equation[0] != "=" or equation[1] != [function] + [a[0] for a in arguments] or quantified(equation[2]):
         return None
     return ["define-fun", function, arguments, types[function], equation[2]]
+
+
+def flat(form):
+    """The arguments of nested quantifiers, and the formula within."""
+    arguments = []
+    while form[0] == "forall":
+        arguments += form[1]
+        form = bare(form[2])
+    return arguments, form
+
+
+def access(form, types):
+    """(assert (forall (ARGUMENTS PLACE) (= (select (NAME ARGUMENTS) PLACE) BODY))) as NAME's definition, or None."""
+    arguments, equation = flat(form[1])
+    if equation[0] != "=" or equation[1][0] != "select" or isinstance(equation[1][1], str):
+        return None
+    (function, *given), place = equation[1][1:]
+    kinds = dict(arguments)
+    if function not in types or not all(isinstance(a, str) for a in given + [place]):
+        return None
+    if set(given + [place]) != set(kinds) or not len(given) + 1 == len(kinds) == len(arguments):
+        return None
+    return ["define-fun", function, [[a, kinds[a]] for a in given], types[function],
+            ["lambda", [[place, kinds[place]]], equation[2]]]
+
+
+def identity(form, types):
+    """(assert (forall ((X KIND)) (=> GUARD (= (NAME X) X)))): NAME is X there, and else another function; or None."""
+    arguments, rule = flat(form[1])
+    if len(arguments) != 1 or rule[0] != "=>" or rule[2][0] != "=" or rule[2][2] != arguments[0][0]:
+        return None
+    function, *given = rule[2][1]
+    if isinstance(function, list) or function not in types or given != [arguments[0][0]]:
+        return None
+    return ["define-fun", function, arguments, types[function],
+            ["ite", rule[1], arguments[0][0], [function + ELSE, arguments[0][0]]]]
 
 
 def projection(name, form, types):
@@ -100,26 +144,46 @@ while (isinstance(problem[goal][1][1], list) and problem[goal][1][1][0] == "not"
     goal += len(variables)
 names = {f[1] for n, f in problem if f[0] == "declare-fun"}
 types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
-defined = {d[1]: d for d in (definition(n, f, types) for n, f in problem if f[0] == "assert") if d}
-problem = [(n, f if i == goal else definition(n, f, types) or f) for i, (n, f) in enumerate(problem)
-           if not (f[0] == "declare-fun" and f[1] in defined)]
-goal = max(i for i, (n, f) in enumerate(problem) if f[0] == "assert")
-wanted = symbols(problem[goal][1])
-kept = {goal}
-grown = True
-while grown:
-    grown = False
-    for i, (n, f) in enumerate(problem):
-        if i in kept or f[0] == "assert" and quantified(f):
-            continue
-        own = symbols(f)
-        if f[0] == "assert" and own & wanted or f[0] == "define-fun" and f[1] in wanted:
-            kept.add(i)
-            wanted |= own
-            grown = True
-lines = [text(f) for i, (n, f) in enumerate(problem)
-         if f[0] not in ("assert", "define-fun", "declare-fun") or i in kept or
-         f[0] == "declare-fun" and f[1] in wanted]
-answer = subprocess.run(["z3", "-smt2", "-in", "-T:" + sys.argv[1]], input="\n".join(lines), text=True,
-                        stdout=subprocess.PIPE)
-print("unsat" if answer.stdout.split() == ["unsat"] else "unknown")
+goal_form = problem[goal][1]
+defined, others = {}, []
+for i, (n, f) in enumerate(problem):
+    found = f[0] == "assert" and f is not goal_form
+    found = found and (definition(n, f, types) or access(f, types) or identity(f, types))
+    if found and found[1] not in defined:
+        defined[found[1]] = found
+        problem[i] = (n, found)
+        if found[4][0] == "ite" and found[4][3][0] == found[1] + ELSE:
+            others.append(("", ["declare-fun", found[1] + ELSE, [kind for name, kind in found[2]], found[3]]))
+problem = others + [(n, f) for n, f in problem if not (f[0] == "declare-fun" and f[1] in defined)]
+names |= {f[1] for n, f in others}
+
+
+def lines(opaque):
+    """What the goal needs; the words of contracts stay without their definitions where opaque is set."""
+    shown = [["declare-fun", f[1], [kind for name, kind in f[2]], f[3]]
+             if opaque and f[0] == "define-fun" and f[1].startswith(("P_", "L_")) else f for n, f in problem]
+    wanted = symbols(goal_form)
+    kept = {i for i, f in enumerate(shown) if f is goal_form}
+    grown = True
+    while grown:
+        grown = False
+        for i, f in enumerate(shown):
+            if i in kept or f[0] not in ("assert", "define-fun") or f[0] == "assert" and quantified(f):
+                continue
+            own = symbols(f)
+            if f[0] == "assert" and own & wanted or f[0] == "define-fun" and f[1] in wanted:
+                kept.add(i)
+                wanted |= own
+                grown = True
+    return [text(f) for i, f in enumerate(shown) if f[0] not in ("assert", "define-fun", "declare-fun") or i in kept or
+            f[0] == "declare-fun" and f[1] in wanted]
+
+
+def unsat(opaque, seconds):
+    answer = subprocess.run(["z3", "-smt2", "-in", "-T:%d" % seconds], input="\n".join(lines(opaque)), text=True,
+                            stdout=subprocess.PIPE)
+    return answer.stdout.split() == ["unsat"]
+
+
+seconds = int(sys.argv[1])
+print("unsat" if unsat(True, seconds // 3) or unsat(False, seconds - seconds // 3) else "unknown")

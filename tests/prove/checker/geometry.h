@@ -35,11 +35,11 @@
     predicate farther(integer s, integer r, integer square) = s * s > r * r * square;
     predicate reaches(integer h, integer square, integer x, integer rest) = h * h >= x * square + rest;
     lemma reaches: \forall integer h, r, square; reaches(h, square, r * r, 1) <==> farther(h, r, square);
-    lemma half_fits: \forall integer x, y; 0 <= y <= x < 0x80000000 ==> 0 <= x + (y >> 1) + 1 < 0xffffffff;
+    lemma half_fits: \forall integer x, y; 0 <= y <= x < 0x80000000 ==> 0 <= x + down(y, 1) + 1 < 0xffffffff;
     lemma half_square: \forall integer x, y, h;
       0 <= y <= x && 2 * h <= y && y < 2 * h + 2 ==> longer(x + h + 1, x * x + y * y);
-    predicate half_value(integer x, integer y) = (uint32_t)(1 + (uint32_t)(x + (y >> 1))) == x + (y >> 1) + 1;
-    predicate half_longer(integer x, integer y) = longer(x + (y >> 1) + 1, x * x + y * y);
+    predicate half_value(integer x, integer y) = (uint32_t)(1 + (uint32_t)(x + down(y, 1))) == x + down(y, 1) + 1;
+    predicate half_longer(integer x, integer y) = longer(x + down(y, 1) + 1, x * x + y * y);
     lemma half_value: \forall integer x, y; 0 <= y <= x < 0x80000000 ==> half_value(x, y);
     lemma half_longer: \forall integer x, y; 0 <= y <= x ==> half_longer(x, y);
     lemma monotonic: \forall integer x, y, z; 0 <= x <= y && 0 <= z ==> x * z <= y * z;

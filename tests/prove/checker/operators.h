@@ -5,35 +5,39 @@
 #include <stdint.h>
 
 /*@ axiomatic operators {
-      axiom to_u16: \forall integer x; (uint16_t)x == x - 0x10000 * (x >> 16);
-      axiom to_u32: \forall integer x; (uint32_t)x == x - 0x100000000 * (x >> 32);
-      axiom to_u64: \forall integer x; (uint64_t)x == x - 0x10000000000000000 * (x >> 64);
-      axiom shift0: \forall integer x, n; n == 0 ==> (x >> n) == x;
-      axiom shift1: \forall integer x; 2 * (x >> 1) <= x < 2 * (x >> 1) + 2;
-      axiom shift2: \forall integer x; 4 * (x >> 2) <= x < 4 * (x >> 2) + 4;
-      axiom shift16: \forall integer x; 0x10000 * (x >> 16) <= x < 0x10000 * (x >> 16) + 0x10000;
-      axiom shift27: \forall integer x; 0x8000000 * (x >> 27) <= x < 0x8000000 * (x >> 27) + 0x8000000;
-      axiom shift31: \forall integer x; 0x80000000 * (x >> 31) <= x < 0x80000000 * (x >> 31) + 0x80000000;
-      axiom shift32: \forall integer x; 0x100000000 * (x >> 32) <= x < 0x100000000 * (x >> 32) + 0x100000000;
+      // floor(x / 2^n): a word of its own, because WP 25 itself takes (x >> 4) <= 0 for x <= 0, which is wrong.
+      logic integer down(integer x, integer n) reads \nothing;
+      axiom shifted: \forall integer x, n; (x >> n) == down(x, n);
+      axiom to_u16: \forall integer x; (uint16_t)x == x - 0x10000 * down(x, 16);
+      axiom to_u32: \forall integer x; (uint32_t)x == x - 0x100000000 * down(x, 32);
+      axiom to_u64: \forall integer x; (uint64_t)x == x - 0x10000000000000000 * down(x, 64);
+      axiom shift0: \forall integer x, n; n == 0 ==> down(x, n) == x;
+      axiom shift1: \forall integer x; 2 * down(x, 1) <= x < 2 * down(x, 1) + 2;
+      axiom shift2: \forall integer x; 4 * down(x, 2) <= x < 4 * down(x, 2) + 4;
+      axiom shift16: \forall integer x; 0x10000 * down(x, 16) <= x < 0x10000 * down(x, 16) + 0x10000;
+      axiom shift27: \forall integer x; 0x8000000 * down(x, 27) <= x < 0x8000000 * down(x, 27) + 0x8000000;
+      axiom shift31: \forall integer x; 0x80000000 * down(x, 31) <= x < 0x80000000 * down(x, 31) + 0x80000000;
+      axiom shift32: \forall integer x; 0x100000000 * down(x, 32) <= x < 0x100000000 * down(x, 32) + 0x100000000;
       axiom shift62: \forall integer x;
-        0x4000000000000000 * (x >> 62) <= x < 0x4000000000000000 * (x >> 62) + 0x4000000000000000;
+        0x4000000000000000 * down(x, 62) <= x < 0x4000000000000000 * down(x, 62) + 0x4000000000000000;
       axiom shift64: \forall integer x;
-        0x10000000000000000 * (x >> 64) <= x < 0x10000000000000000 * (x >> 64) + 0x10000000000000000;
+        0x10000000000000000 * down(x, 64) <= x < 0x10000000000000000 * down(x, 64) + 0x10000000000000000;
       axiom left16: \forall integer x; (x << 16) == x * 0x10000;
       axiom left31: \forall integer x; (x << 31) == x * 0x80000000;
       axiom left32: \forall integer x; (x << 32) == x * 0x100000000;
       axiom left62: \forall integer x; (x << 62) == x * 0x4000000000000000;
-      axiom and16: \forall integer x; (x & 0xffff) == x - 0x10000 * (x >> 16);
-      axiom and31: \forall integer x; (x & 0x7fffffff) == x - 0x80000000 * (x >> 31);
-      axiom and32: \forall integer x; (x & 0xffffffff) == x - 0x100000000 * (x >> 32);
+      axiom and16: \forall integer x; (x & 0xffff) == x - 0x10000 * down(x, 16);
+      axiom and31: \forall integer x; (x & 0x7fffffff) == x - 0x80000000 * down(x, 31);
+      axiom and32: \forall integer x; (x & 0xffffffff) == x - 0x100000000 * down(x, 32);
+      axiom above31: \forall integer x; 0 <= x < 0x10000000000000000 ==> (x & 0xffffffff80000000) == 0x80000000 * down(x, 31);
       axiom or16: \forall integer x, y;
-        0 <= x == 0x10000 * (x >> 16) && 0 <= y < 0x10000 ==> (x | y) == x + y && (y | x) == x + y;
+        0 <= x == 0x10000 * down(x, 16) && 0 <= y < 0x10000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or31: \forall integer x, y;
-        0 <= x == 0x80000000 * (x >> 31) && 0 <= y < 0x80000000 ==> (x | y) == x + y && (y | x) == x + y;
+        0 <= x == 0x80000000 * down(x, 31) && 0 <= y < 0x80000000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or32: \forall integer x, y;
-        0 <= x == 0x100000000 * (x >> 32) && 0 <= y < 0x100000000 ==> (x | y) == x + y && (y | x) == x + y;
+        0 <= x == 0x100000000 * down(x, 32) && 0 <= y < 0x100000000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or62: \forall integer x, y;
-        0 <= x == 0x4000000000000000 * (x >> 62) && 0 <= y < 0x4000000000000000 ==> (x | y) == x + y && (y | x) == x + y;
+        0 <= x == 0x4000000000000000 * down(x, 62) && 0 <= y < 0x4000000000000000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom xor_sign: \forall integer x, y; (y == 0 ==> (x ^ y) == x) && (y == -1 ==> (x ^ y) == -1 - x);
       axiom or_least: \forall integer x, y; 0 <= x && 0 <= y ==> (x | y) >= x && (x | y) >= y;
     } */

@@ -4,3 +4,4 @@
 #include "src/gjk/gjk_iteration.c"
 #include "src/gjk/gjk_simplex.c"
 #include "src/query/gjk_check.c"
+#include "src/arith/gjk_vector.c"

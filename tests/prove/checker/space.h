@@ -100,6 +100,24 @@
     lemma area_small: \forall integer x, y, z, u, v, w, s, t, q;
       span3(x, y, z, u, v, w) && span3(x, y, z, s, t, q) ==> area_small(x, y, z, u, v, w, s, t, q); */
 
+// Dot products of numbers in two digits: x = 2^32 high_part + low_part, -2^31 <= low_part < 2^31.
+/*@ logic integer high_part(integer x) = down(x + 0x80000000, 32);
+    logic integer low_part(integer x) = x - 0x100000000 * high_part(x);
+    predicate half_parts(integer x) = -0x80000000 <= low_part(x) <= 0x7fffffff;
+    predicate small_high(integer x) = -0x40000000 <= high_part(x) <= 0x40000000;
+    logic integer size(integer x) = x < 0 ? -x : x;
+    predicate sized(integer l, integer x, integer m) = -(m * size(x)) <= l * x <= m * size(x);
+    predicate square_short(integer t) = t * t < 0x10000000000000000;
+    predicate sum_small(integer a, integer b, integer c) = a + b + c < 0x100000000;
+    predicate short3(integer x, integer y, integer z) = sum_small(size(x), size(y), size(z));
+    predicate sized3(integer a, integer b, integer c, integer x, integer y, integer z, integer m) =
+      sized(a, x, m) && sized(b, y, m) && sized(c, z, m);
+    predicate dot_below(integer a, integer b, integer c, integer x, integer y, integer z, integer m) =
+      -m < dot3(a, b, c, x, y, z) < m && -m < a * x + b * y < m && -m < a * x < m;
+    predicate dot_split(integer a, integer b, integer c, integer p, integer q, integer r, integer x, integer y, integer z) =
+      dot3(a, b, c, x, y, z) == 0x100000000 * dot3(p, q, r, x, y, z) +
+      dot3(a - 0x100000000 * p, b - 0x100000000 * q, c - 0x100000000 * r, x, y, z); */
+
 #include "src/arith/gjk_vector.h"
 
 // 2^n.
@@ -590,5 +608,35 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
     ensures \result == GJK_OK ==> 0 <= distance; */
 gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance,
                               const gjk_decision *decision);
+
+// Lemmas about these parts, behind all others.
+/*@ lemma half_parts: \forall integer x; half_parts(x);
+    lemma small_high: \forall integer x; SMALL62(x) ==> small_high(x);
+    lemma sized: \forall integer l, x, m; -m <= l <= m ==> sized(l, x, m);
+    lemma square_short: \forall integer t; square_short(t) ==> t < 0x100000000;
+    lemma sum_square: \forall integer a, b, c; (a + b + c) * (a + b + c) <= 3 * (a * a + b * b + c * c);
+    lemma sum_short: \forall integer a, b, c; in_ball(a, b, c, 0x60000000) ==> square_short(a + b + c);
+    lemma sum_small: \forall integer a, b, c; in_ball(a, b, c, 0x60000000) ==> sum_small(a, b, c);
+    lemma size_square: \forall integer x; square(size(x)) == square(x);
+    lemma norm_squares: \forall integer x, y, z; norm3(x, y, z) == square(x) + square(y) + square(z);
+    lemma size_norm: \forall integer x, y, z; norm3(size(x), size(y), size(z)) == norm3(x, y, z);
+    lemma size_ball: \forall integer x, y, z; in_ball(x, y, z, 0x60000000) ==> in_ball(size(x), size(y), size(z), 0x60000000);
+    lemma short3: \forall integer x, y, z; in_ball(x, y, z, 0x60000000) ==> short3(x, y, z);
+    lemma low_below: \forall integer a, b, c, x, y, z; sized3(a, b, c, x, y, z, 0x100000000) && short3(x, y, z) ==>
+      dot_below(a, b, c, x, y, z, 0x10000000000000000);
+    lemma half_below: \forall integer a, b, c, x, y, z; sized3(a, b, c, x, y, z, 0x80000000) && short3(x, y, z) ==>
+      dot_below(a, b, c, x, y, z, 0x8000000000000000);
+    lemma high_below: \forall integer a, b, c, x, y, z; sized3(a, b, c, x, y, z, 0x40000000) && short3(x, y, z) ==>
+      dot_below(a, b, c, x, y, z, 0x4000000000000000);
+    lemma dot_split: \forall integer a, b, c, p, q, r, x, y, z; dot_split(a, b, c, p, q, r, x, y, z); */
+
+/*@ assigns \nothing;
+    ensures \result == low_part(x); */
+static inline int32_t gjk_low_balanced(int64_t x);
+
+/*@ requires SMALL62(x);
+    assigns \nothing;
+    ensures \result == high_part(x); */
+static inline int32_t gjk_high_balanced(int64_t x);
 
 #endif

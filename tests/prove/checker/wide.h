@@ -15,21 +15,21 @@ static inline int64_t gjk_int64(uint64_t u);
 
 /*@ requires n <= 31;
     assigns \nothing;
-    ensures \result == (x >> n); */
+    ensures \result == down(x, n); */
 static inline int32_t gjk_sar32(int32_t x, unsigned n);
 
 /*@ requires n <= 63;
     assigns \nothing;
-    ensures \result == (x >> n); */
+    ensures \result == down(x, n); */
 static inline int64_t gjk_sar64(int64_t x, unsigned n);
 
 /*@ assigns \nothing;
-    ensures \result == (x >> 32);
+    ensures \result == down(x, 32);
     ensures 0x100000000 * \result <= x < 0x100000000 * \result + 0x100000000; */
 static inline int32_t gjk_high32(int64_t x);
 
 /*@ assigns \nothing;
-    ensures x == 0x100000000 * (x >> 32) + \result; */
+    ensures x == 0x100000000 * down(x, 32) + \result; */
 static inline uint32_t gjk_low32(int64_t x);
 
 /*@ assigns \nothing;
@@ -59,11 +59,11 @@ static inline int gjk_sign64(int64_t x);
 
 /*@ requires -0x4000000000000000 < x < 0x4000000000000000;
     assigns \nothing;
-    ensures \result == (x >> 31); */
+    ensures \result == down(x, 31); */
 static inline int32_t gjk_high_digit(int64_t x);
 
 /*@ assigns \nothing;
-    ensures \result == x - 0x80000000 * (x >> 31); */
+    ensures \result == x - 0x80000000 * down(x, 31); */
 static inline int32_t gjk_low_digit(int64_t x);
 
 /*@ predicate bounded(integer x, integer y, integer a, integer b) = -(a * b) <= x * y <= a * b;
@@ -74,12 +74,12 @@ static inline int32_t gjk_low_digit(int64_t x);
 // The number in two's complement whose halves are high and low.
 /*@ logic integer value(integer high, integer low) =
       (high <= 0x7fffffffffffffff ? high : high - 0x10000000000000000) * 0x10000000000000000 + low;
-    predicate upper(integer h) = 0 <= h - 4 * (h >> 2) < 4 &&
-      (uint64_t)((uint64_t)h << 62) == 0x4000000000000000 * (h - 4 * (h >> 2)) &&
-      (uint64_t)((uint64_t)h << 62) == 0x4000000000000000 * ((uint64_t)((uint64_t)h << 62) >> 62);
+    predicate upper(integer h) = 0 <= h - 4 * down(h, 2) < 4 &&
+      (uint64_t)((uint64_t)h << 62) == 0x4000000000000000 * (h - 4 * down(h, 2)) &&
+      (uint64_t)((uint64_t)h << 62) == 0x4000000000000000 * down((uint64_t)((uint64_t)h << 62), 62);
     predicate centre(integer d) =
-      (uint64_t)(d << 31) == 0x80000000 * d && (uint64_t)(d << 31) == 0x80000000 * ((uint64_t)(d << 31) >> 31);
-    predicate signed_high(integer h) = value((uint64_t)(h >> 2), 0) == 0x10000000000000000 * (h >> 2);
+      (uint64_t)(d << 31) == 0x80000000 * d && (uint64_t)(d << 31) == 0x80000000 * down((uint64_t)(d << 31), 31);
+    predicate signed_high(integer h) = value((uint64_t)down(h, 2), 0) == 0x10000000000000000 * down(h, 2);
     lemma upper: \forall integer h; upper(h);
     lemma centre: \forall integer d; 0 <= d < 0x80000000 ==> centre(d);
     lemma signed_high: \forall integer h; -0x8000000000000000 <= h <= 0x7fffffffffffffff ==> signed_high(h);
