@@ -4,4 +4,6 @@
 #include "src/gjk/gjk_iteration.c"
 #include "src/gjk/gjk_simplex.c"
 #include "src/query/gjk_check.c"
+
+// Behind the others, whose obligations the provers find without it.
 #include "src/arith/gjk_vector.c"
