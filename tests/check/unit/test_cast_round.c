@@ -14,6 +14,7 @@
 #include "reference/accurate.h"
 #include "reference/random_shape.h"
 #include "reference/reference.h"
+#include "wide_root.h"
 
 #define SEED 7301
 
@@ -284,16 +285,6 @@ typedef struct closest_end {
   bool within;
 } closest_end;
 
-// floor(sqrt(square))
-static int64_t root_of(wide square) {
-  int64_t root = 0;
-  for (int bit = 60; bit >= 0; bit--) {
-    const int64_t more = root + (INT64_C(1) << bit);
-    root = (wide)more * more <= square ? more : root;
-  }
-  return root;
-}
-
 static void make_closest_end(random_state *random, closest_end *c) {
   static const int32_t slopes[] = {2, 300, 8000}, radii[] = {40, 200000, 200000000};
   const int32_t most = slopes[random_below(random, 3)], size = 64 + (int32_t)random_below(random, 130000000) / most / 8;
@@ -305,7 +296,7 @@ static void make_closest_end(random_state *random, closest_end *c) {
   c->within = aside == 0;
   if (kind == 0) {  // across n = (m, k, 1)
     const int64_t square = (int64_t)m * m + (int64_t)k * k + 1;
-    const int64_t least = root_of((wide)c->radius * c->radius * square), height = least + random_range(random, 0, 1);
+    const int64_t least = wide_root((wide)c->radius * c->radius * square), height = least + random_range(random, 0, 1);
     const int32_t u = (int32_t)(height * m / square) + size / 4, v = (int32_t)(height * k / square) + size / 4;
     const gjk_vec3 to_x = {size, 0, -m * size}, to_y = {0, size, -k * size};
     const gjk_vec3 place = {u, v, (int32_t)(height - (int64_t)m * u - (int64_t)k * v)}, outward = {m, k, 1};

@@ -2,6 +2,7 @@
 // 128 bits.
 #include "placed2.h"
 #include "plane.h"
+#include "wide_root.h"
 
 #define SEED 2014
 #define TRIALS check_trials(40000)
@@ -479,16 +480,6 @@ static void test_grazing(random_state *r) {
 
 static struct { unsigned long hits, misses; } closest;
 
-// floor(sqrt(square)). Pre: below 2^122.
-static int64_t root_of(plane_wide square) {
-  int64_t root = 0;
-  for (int bit = 60; bit >= 0; bit--) {
-    const int64_t more = root + (INT64_C(1) << bit);
-    root = (plane_wide)more * more <= square ? more : root;
-  }
-  return root;
-}
-
 // A place before the edge from p on with the outward normal n, where n . (place - p) = rise times n's divisor, and rise is the
 // last one within the radius or the first one beyond: at most an LSB / |n| apart.
 static plane_point before_edge(random_state *r, plane_point p, plane_point n, int64_t radius) {
@@ -496,7 +487,7 @@ static plane_point before_edge(random_state *r, plane_point p, plane_point n, in
   const int64_t divisor = bezout(n.x, n.y, &x, &y);
   const plane_point m = {n.x / divisor, n.y / divisor};
   const plane_wide square = (plane_wide)m.x * m.x + (plane_wide)m.y * m.y;
-  const plane_wide rise = root_of(radius * (plane_wide)radius * square) + random_below(r, 2);
+  const plane_wide rise = wide_root(radius * (plane_wide)radius * square) + random_below(r, 2);
   plane_wide u = x * rise, v = y * rise;
   const plane_wide along = m.x * v - m.y * u;
   const plane_wide past = (along % square + square) % square + square * random_below(r, (uint32_t)divisor);
@@ -847,12 +838,8 @@ static void test_exact_direction(void) {
     const gjk2_vec ends[2] = {{0, 0}, {length, -1}}, from = {-1, 3 - 2 * length}, to = {-1, 1 - length};
     const gjk2_shape segment = GJK2_POLYGON(ends, 2), circle = GJK2_CIRCLE(length - 1);
     const gjk2_cast_path path = {NULL, &to, 0};
-    gjk2_collider a = {0}, b = {0};
-    gjk2_pose pose = GJK2_POSE_IDENTITY;
+    const gjk2_collider a = placed2(&segment, 0, 0), b = placed2(&circle, from.x, from.y);
     gjk2_cast_result out;
-    CHECK(gjk2_collider_init(&a, &segment, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
-    pose.position = from;
-    CHECK(gjk2_collider_init(&b, &circle, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
     CHECK(gjk2_cast(&a, &b, &path, &out) == GJK_OK && !out.hit);
     CHECK(out.certificate.proof == GJK2_CAST_PROOF_SHORT && gjk2_check_cast(&a, &b, &path, &out) == GJK_OK);
   }
