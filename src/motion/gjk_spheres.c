@@ -36,7 +36,7 @@ static bool passes(const gjk_long3 *o, const gjk_long3 *t, int64_t reach) {
   int j, k;
   gjk_long3 product;
   const gjk_vec3 o1 = leading_bits_of(o, &k), t1 = leading_bits_of(t, &j);
-  if (k < 0 ? reach >= INT32_C(1) << (30 + k) : reach >= INT64_C(1) << 32) {
+  if (k < 0 && reach >= INT32_C(1) << (30 + k)) {
     return false;
   }
   const int64_t reach1 = k < 0 ? (int64_t)gjk_shl32((int32_t)reach, (unsigned)-k) : gjk_sar64(reach, (unsigned)k);
