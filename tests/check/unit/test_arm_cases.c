@@ -42,6 +42,10 @@ static void make_single(const gjk_shape *shape) {
   m.memory = memory;
 }
 
+static gjk_status init(void) {
+  return gjk_arm_init(&m.arm, &m.model, &identity, &m.memory);
+}
+
 static void put_wall(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
   const gjk_pose pose = {{x, y, z}, {0, 0, 0, GJK_Q30_ONE}};
   m.obstacles[0] = posed(shape, &pose);
@@ -112,6 +116,44 @@ static void check_turns(void) {
   CHECK(result.answer == GJK_ARM_FREE && !result.outside);
   result = run(GJK_ANGLE(1.0), 100001, &plain);
   CHECK(result.outside);
+}
+
+// A ball goes out along a boom that turns a little: r = 10 t at an angle of 0.01 t. It runs below the chord of its ends, which
+// passes over the wall: both joints together bend the path, not the turn alone.
+static void check_boom(void) {
+  static const gjk_shape ball = GJK_SPHERE(1);
+  const gjk_arm_link boom = {0, GJK_ARM_PRISMATIC, GJK_POSE_IDENTITY, {1, 0, 0}, 0, GJK_Q16(10.0)};
+  const int32_t from[2] = {0, 0}, to[2] = {GJK_ANGLE(0.01), GJK_Q16(10.0)};
+  make_single(&ball);
+  m.links[1] = boom;
+  m.parts[0].link = 1;
+  m.model.link_count = 2;
+  CHECK(init() == GJK_OK);
+  // Over the wall, from x = 4.5 to 5.5, the path is 0.02025 to 0.03025 high, the chord 0.045 or more.
+  for (unsigned back = 0; back < 2; back++) {
+    for (unsigned low = 0; low < 2; low++) {
+      gjk_arm_edge_result result;
+      put_wall(&wall, GJK_Q16(5.0), low ? GJK_Q16(0.018 - 0.5) : GJK_Q16(0.022 - 0.5), 0);
+      CHECK(gjk_arm_edge_start(&m.arm, back ? to : from, back ? from : to, &plain, NULL, NULL) == GJK_OK);
+      CHECK(gjk_arm_edge_run(&m.arm, 100000, &result) == GJK_OK);
+      CHECK(result.answer == (low ? GJK_ARM_FREE : GJK_ARM_TOUCH) && (low || result.pair.other == 0));
+    }
+  }
+}
+
+// Something exactly as far as asked for is found, and nothing beyond.
+static void check_most(void) {
+  const int32_t at = 0;
+  gjk_arm_distance_result nearest;
+  make_single(&point);
+  CHECK(init() == GJK_OK);
+  for (gjk_q16 gap = 1; gap < GJK_Q16(3.0); gap = 3 * gap + 1) {
+    put_wall(&wall, GJK_Q16(1.5) + gap, 0, 0);
+    for (gjk_q16 most = gap < 16 ? 0 : gap - 16; most < gap + 16; most++) {
+      CHECK(gjk_arm_distance(&m.arm, &at, most, &nearest) == (most < gap ? GJK_ERROR_EMPTY : GJK_OK));
+      CHECK(most < gap || nearest.distance.distance == gap);
+    }
+  }
 }
 
 // No motion: the static answer. And ceilings of 1, 2 and 3 tests.
@@ -260,10 +302,6 @@ static void check_path(void) {
   CHECK(gjk_arm_path(&m.arm, path, 3, NULL, 1, &free, &result) == GJK_ERROR_NULL);
 }
 
-static gjk_status init(void) {
-  return gjk_arm_init(&m.arm, &m.model, &identity, &m.memory);
-}
-
 // Three links in a row, a part on each.
 static void make_row(void) {
   const gjk_arm_model model = {m.links, m.parts, NULL, LINKS, PARTS};
@@ -403,6 +441,8 @@ int main(void) {
   check_grazing(&origin);
   check_grazing(&far);
   check_turns();
+  check_boom();
+  check_most();
   check_ceilings();
   check_far();
   check_one_end();
