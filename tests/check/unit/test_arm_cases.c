@@ -2,6 +2,8 @@
 // bad input; paths.
 #include "gjk/arm.h"
 
+#include <string.h>
+
 #include "check.h"
 #include "gjk/compound.h"
 #include "placed.h"
@@ -36,6 +38,9 @@ static void make_single(const gjk_shape *shape) {
   const gjk_arm_part part = {shape, GJK_POSE_IDENTITY, 0};
   const gjk_arm_model model = {m.links, m.parts, NULL, 1, 1};
   const gjk_arm_memory memory = {m.link_room, m.part_room, m.pairs, GJK_ARM_PAIRS(PARTS, 2)};
+  memset(m.link_room, 0xA5, sizeof m.link_room);  // memory of any content
+  memset(m.part_room, 0xA5, sizeof m.part_room);
+  memset(m.pairs, 0xA5, sizeof m.pairs);
   m.links[0] = link;
   m.parts[0] = part;
   m.model = model;
