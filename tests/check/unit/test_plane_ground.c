@@ -635,6 +635,16 @@ static void check_statuses(void) {
   const gjk2_cast_path path = {NULL, &to, -1};
   CHECK(gjk2_ground_cast(&out, &identity, &point.collider, &path, &hit, &segment) == GJK_ERROR_NEGATIVE);
   CHECK(gjk2_ground_cast(&out, &identity, &point.collider, NULL, &hit, &segment) == GJK_ERROR_NULL);
+  const gjk2_cast_path down = {NULL, &to, 0};
+  gjk2_ground without[2] = {out, out};
+  without[0].type = NULL;
+  without[1].data = NULL;
+  for (unsigned i = 0; i < 4; i++) {
+    const gjk2_ground *bad = i < 2 ? &without[i] : i == 2 ? NULL : &out;
+    const gjk2_pose *pose = i < 3 ? &identity : NULL;
+    CHECK(gjk2_ground_within(bad, pose, &point.collider, 0, &yes) == GJK_ERROR_NULL);
+    CHECK(gjk2_ground_cast(bad, pose, &point.collider, &down, &hit, &segment) == GJK_ERROR_NULL);
+  }
 }
 
 int main(void) {
