@@ -116,7 +116,7 @@ golden_library() {
 }
 
 # Builds and runs: golden FOLDER ARCHITECTURE COMPILER FLAGS... Prints the hash; succeeds when it is the golden one.
-# With golden_shared=1 it takes the library from golden_library.
+# With golden_shared=1 it takes the library from golden_library, with golden_many=1 a host has the larger sets.
 golden() {
   folder=$1 architecture=$2 compiler=$3
   shift 3
@@ -128,7 +128,7 @@ golden() {
   case $architecture in
     host)
       linker=gcc
-      glue="$glue tests/check/target/golden_host.c port/hosted/gjk_hosted.c"
+      glue="$glue tests/check/target/golden_host.c port/hosted/gjk_hosted.c ${golden_many:+-DGOLDEN_MANY}"
       ;;
     cortex-* | rv32imc | avr)
       linker=$(make -s "print-TOOLS_$architecture")

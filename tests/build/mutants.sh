@@ -91,10 +91,13 @@ prepare_tests() {
   # shellcheck disable=SC2086
   gcc -shared "$build"/default/*.o -o "$build/tests/libgjk.so" && ar rcs "$build/tests/library.a" "$build"/default/*.o &&
     ar rcs "$build/tests/support.a" $SUPPORT || return 1
-  program golden tests/support/scene/match.c tests/check/target/golden.c tests/check/target/plane_golden.c \
-    tests/check/target/motion_golden.c tests/check/target/plane_motion_golden.c tests/check/target/parts_golden.c tests/check/target/hull_golden.c tests/check/target/scene_golden.c \
-    tests/check/target/concave_golden.c tests/check/target/golden_host.c ||
-    return 1
+  for many in '' many_; do
+    # shellcheck disable=SC2086
+    program ${many}golden ${many:+-DGOLDEN_MANY} tests/support/scene/match.c tests/check/target/golden.c \
+      tests/check/target/plane_golden.c tests/check/target/motion_golden.c tests/check/target/plane_motion_golden.c \
+      tests/check/target/parts_golden.c tests/check/target/hull_golden.c tests/check/target/scene_golden.c \
+      tests/check/target/concave_golden.c tests/check/target/golden_host.c || return 1
+  done
   program scene_golden tests/support/scene/match.c tests/check/target/scene_golden.c tests/check/target/scene_golden_host.c || return 1
   program ground_golden tests/check/target/ground_golden.c tests/check/target/ground_golden_host.c || return 1
   for test in tests/check/unit/test_*.c; do

@@ -30,6 +30,17 @@ typedef struct golden {
   GOLDEN(name##_GOLDEN_FEW_HASH, hash, sizes##_GOLDEN_FEW_##of), GOLDEN(name##_GOLDEN_HASH, hash, sizes##_GOLDEN_##of)
 
 static const golden goldens[] = {
+#ifdef GOLDEN_MANY  // for the host alone
+    GOLDEN(GOLDEN_MANY_HASH, golden_hash, GOLDEN_MANY_PAIRS),
+    GOLDEN(CONCAVE_GOLDEN_MANY_HASH, concave_golden_hash, CONCAVE_GOLDEN_MANY_TICKS),
+    GOLDEN(PLANE_GOLDEN_MANY_HASH, plane_golden_hash, PLANE_GOLDEN_MANY_PAIRS),
+    GOLDEN(MOTION_GOLDEN_MANY_HASH, motion_golden_hash, MOTION_GOLDEN_MANY_PAIRS),
+    GOLDEN(PLANE_MOTION_GOLDEN_MANY_HASH, plane_motion_golden_hash, MOTION_GOLDEN_MANY_PAIRS),
+    GOLDEN(PARTS_GOLDEN_MANY_HASH, parts_golden_hash, PARTS_GOLDEN_MANY_BODIES),
+    GOLDEN(PARTS_CONTACTS_GOLDEN_MANY_HASH, parts_contacts_golden_hash, PARTS_GOLDEN_MANY_BODIES),
+    GOLDEN(PARTS_MOTION_GOLDEN_MANY_HASH, parts_motion_golden_hash, PARTS_GOLDEN_MANY_BODIES),
+    GOLDEN(HULL_GOLDEN_MANY_HASH, hull_golden_hash, HULL_GOLDEN_MANY_SETS),
+#else
     GOLDEN(GOLDEN_FEW_HASH, golden_hash, GOLDEN_FEW_PAIRS),
     GOLDEN(GOLDEN_HASH, golden_hash, GOLDEN_PAIRS),
     GOLDEN(SCENE_GOLDEN_FEW_HASH, scene_hash, SCENE_GOLDEN_FEW_TICKS),
@@ -41,6 +52,7 @@ static const golden goldens[] = {
     FEW_AND_ALL(PARTS_CONTACTS, parts_contacts_golden_hash, PARTS, BODIES),
     FEW_AND_ALL(PARTS_MOTION, parts_motion_golden_hash, PARTS, BODIES),
     FEW_AND_ALL(HULL, hull_golden_hash, HULL, SETS),
+#endif
 };
 
 int main(void) {

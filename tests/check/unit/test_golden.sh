@@ -11,7 +11,7 @@ golden_shared=1
 same() {
   missing=$(golden_missing "$@")
   if [ -z "$missing" ]; then
-    check "$*" golden "$build" "$@"
+    check "$*${golden_many:+, larger sets}" golden "$build" "$@"
   else
     skip "golden hash: $*" "$missing"
   fi
@@ -20,6 +20,10 @@ same() {
 same host gcc -O0 -DGJK_VECTORS=0
 same host gcc -O2 '-DGJK_PORT_HEADER="hosted/gjk_port.h"'  # 128-bit integers
 same host clang -O2 -DGJK_NARROW_MULTIPLY=1 $golden_avx2
+golden_many=1
+same host gcc -O2 '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
+same host clang -O2 -DGJK_NARROW_MULTIPLY=1 $golden_avx2
+golden_many=
 same host gcc -O1 -fsanitize=undefined,address -fno-sanitize-recover=all
 same s390x gcc -O1
 same cortex-m0 gcc -O2
