@@ -220,15 +220,21 @@ static void make_pose(random_state *random, body *b, int32_t reach) {
   }
 }
 
-static void place(random_state *random, body *b) {
+// False: the pose is out of range.
+static bool place(random_state *random, body *b) {
   const bool baked = random_below(random, 2) == 0;
   gjk2_aabb box;
   b->collider.state = 0;
   mix_status(gjk2_collider_init(&b->collider, &b->shape, baked ? b->buffer : NULL, VERTICES));
-  mix_status(gjk2_collider_pose(&b->collider, &b->pose));
+  const gjk_status status = gjk2_collider_pose(&b->collider, &b->pose);
+  mix_status(status);
+  if (status != GJK_OK) {
+    return false;
+  }
   mix_status(gjk2_collider_aabb(&b->collider, &box));
   mix_two(box.lower.x, box.lower.y);
   mix_two(box.upper.x, box.upper.y);
+  return true;
 }
 
 // Moves B along the normal until the gap is near 0.
@@ -259,10 +265,14 @@ static void query_pair(random_state *random) {
   static const gjk2_cache cold = {{0, 0}, 0, {0, 0}, {0, 0}};
   const int32_t size = INT32_C(1) << (3 + random_below(random, 23));
   const bool far = random_below(random, 8) == 0;
+  bool placed = true;
   for (int i = 0; i < 2; i++) {
     make_shape(random, &bodies[i], size);
     make_pose(random, &bodies[i], far ? INT32_MAX : 2 * size);
-    place(random, &bodies[i]);
+    placed = place(random, &bodies[i]) && placed;
+  }
+  if (!placed) {
+    return;
   }
   gjk2_cache cache = cold;
   gjk2_distance_result result;

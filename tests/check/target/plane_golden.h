@@ -17,7 +17,7 @@
 #error "the golden hashes are those of GJK_BITS_VERSION 4: replace them"
 #endif
 #define PLANE_GOLDEN_HASH UINT64_C(0xeb3f2dbf4da9cca5)
-#define PLANE_GOLDEN_MANY_HASH UINT64_C(0x1b519894ae109778)
+#define PLANE_GOLDEN_MANY_HASH UINT64_C(0x4bd55d2798e3d612)
 #define PLANE_GOLDEN_FEW_HASH UINT64_C(0x598f60effdb438b6)
 
 // The hash over the first pairs of the set. Not reentrant: the colliders are static, to spare small stacks.
