@@ -89,7 +89,7 @@ static void make_shape(random_state *random, body *b, int32_t size) {
   b->shape.count = (uint16_t)(b->shape.type == &gjk_class_triangle ? 3 : 4 + random_below(random, VERTICES - 3));
   const int32_t grid = random_below(random, 4) == 0 ? size / 2 + 1 : 1;  // coarse: ties, and parallel faces
   for (unsigned i = 0; i < b->shape.count; i++) {
-    const gjk_vec3 v = random_vector(random, size);
+    const gjk_vec3 v = random_in_cube(random, size);
     b->vertices[i].x = v.x / grid * grid;
     b->vertices[i].y = v.y / grid * grid;
     b->vertices[i].z = v.z / grid * grid;
@@ -105,7 +105,7 @@ static void make_pose(random_state *random, body *b, int32_t reach) {
                         random_range(random, -1000, 1000), random_range(random, -1000, 1001)};
     mix((uint32_t)gjk_quat_normalize(&q, &b->pose.rotation));
   }
-  b->pose.position = random_vector(random, reach);
+  b->pose.position = random_in_cube(random, reach);
 }
 
 static void place(random_state *random, body *b) {

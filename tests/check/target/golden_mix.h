@@ -4,7 +4,7 @@
 
 #include "fnv.h"
 #include "gjk/contacts.h"
-#include "random.h"
+#include "random_vec.h"
 
 static uint64_t hash;
 
@@ -33,14 +33,6 @@ static inline void mix_contacts_of(const gjk_manifold *m) {
     mix((uint32_t)m->contact[i].distance);
     mix(m->contact[i].id);
   }
-}
-
-static inline gjk_vec3 random_vector(random_state *random, int32_t size) {
-  gjk_vec3 v;
-  v.x = random_range(random, -size, size);
-  v.y = random_range(random, -size, size);
-  v.z = random_range(random, -size, size);
-  return v;
 }
 
 #endif

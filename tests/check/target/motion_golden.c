@@ -23,7 +23,7 @@ static void mix_rotation(const gjk_quat *q) {
 
 // Turns about three axes.
 static gjk_vec3 random_spin(random_state *random, int32_t most) {
-  return random_vector(random, most);
+  return random_in_cube(random, most);
 }
 
 // A shape of one of eight kinds, of about that size; every fourth has a convex radius.
@@ -44,7 +44,7 @@ static void make_shape(random_state *random, body *b, int32_t size) {
   b->shape.count = (uint16_t)(b->shape.type == &gjk_class_triangle ? 3 : 1 + random_below(random, VERTICES));
   const int32_t grid = random_below(random, 4) == 0 ? size / 2 + 1 : 1;  // coarse: ties, and parallel faces
   for (unsigned i = 0; i < b->shape.count; i++) {
-    const gjk_vec3 v = random_vector(random, size);
+    const gjk_vec3 v = random_in_cube(random, size);
     b->vertices[i].x = v.x / grid * grid;
     b->vertices[i].y = v.y / grid * grid;
     b->vertices[i].z = v.z / grid * grid;

@@ -85,8 +85,8 @@ static void make_motion(random_state *random, body *b, int32_t reach, bool far) 
   b->motion = rest;
   turn(random, &b->motion.from.rotation);
   turn(random, &b->motion.to.rotation);
-  b->motion.from.position = random_vector(random, far ? INT32_MAX : reach);
-  b->motion.to.position = random_vector(random, reach);
+  b->motion.from.position = random_in_cube(random, far ? INT32_MAX : reach);
+  b->motion.to.position = random_in_cube(random, reach);
   if (random_below(random, 4) == 0) {
     b->motion.spin = random_spin(random, INT32_C(1) << (14 + random_below(random, 6)));
   }

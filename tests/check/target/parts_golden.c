@@ -122,7 +122,7 @@ static void make_shape(random_state *random, int32_t size, gjk_vec3 *vertices, g
   out->vertices = vertices;
   out->count = VERTICES;
   for (unsigned i = 0; i < VERTICES; i++) {
-    vertices[i] = random_vector(random, size);
+    vertices[i] = random_in_cube(random, size);
   }
   out->convex_radius = random_below(random, 4) == 0 ? random_range(random, 0, size / 2) : 0;
 }
@@ -141,7 +141,7 @@ static void make_compound(random_state *random, int32_t size) {
     if (row) {
       parts[i].pose.position.x = (int32_t)i * 2 * shapes[0].size.x;
     } else {
-      parts[i].pose.position = random_vector(random, size);
+      parts[i].pose.position = random_in_cube(random, size);
       turn(random, &parts[i].pose.rotation);
     }
   }
@@ -272,7 +272,7 @@ static void query_contacts(random_state *random, int32_t size) {
 
 static void query_motion(random_state *random, int32_t size) {
   static const gjk_motion rest = {.from = GJK_POSE_IDENTITY, .to = GJK_POSE_IDENTITY};
-  const gjk_vec3 to = random_vector(random, 3 * size), to_a = random_vector(random, size);
+  const gjk_vec3 to = random_in_cube(random, 3 * size), to_a = random_in_cube(random, size);
   const bool moves = random_below(random, 2) == 0, wide = random_below(random, 2) == 0;
   const gjk_cast_path path = {moves ? &to_a : NULL, &to, wide ? size / 16 : 0};
   gjk_motion motion[2] = {rest, rest};
@@ -316,12 +316,12 @@ static void query_body(random_state *random, query_visitor *query) {
   } else {
     make_field(random, size);
   }
-  body.pose.position = random_vector(random, random_below(random, 4) == 0 ? INT32_C(1) << 30 : size);
+  body.pose.position = random_in_cube(random, random_below(random, 4) == 0 ? INT32_C(1) << 30 : size);
   turn(random, &body.pose.rotation);
   make_shape(random, size / 4 + 1, visitor_vertices, &visitor_shape);
   mix((uint32_t)gjk_collider_init(&visitor, &visitor_shape, NULL, 0));
   for (unsigned k = 0; k < 3; k++) {
-    const gjk_vec3 off = random_vector(random, size);
+    const gjk_vec3 off = random_in_cube(random, size);
     pose.position.x = body.pose.position.x + off.x;
     pose.position.y = body.pose.position.y + off.y;
     pose.position.z = body.pose.position.z + off.z / (k == 0 ? 1 : 8);

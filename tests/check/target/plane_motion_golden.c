@@ -94,6 +94,7 @@ static void turn(random_state *random, gjk2_rotation *out) {
 #define gjk_motion_pose gjk2_motion_pose
 #define gjk_pose gjk2_pose
 #define gjk_time_of_impact gjk2_time_of_impact
+#define random_in_cube random_vector
 #define GJK_IMPACT_TOLERANCE_MIN GJK2_IMPACT_TOLERANCE_MIN
 #include "motion_golden_common.h"
 
