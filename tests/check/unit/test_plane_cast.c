@@ -8,7 +8,7 @@
 #define TRIALS check_trials(40000)
 
 // LSB. By how much a distance may be off of centres more than 16384 units, and less than 32768, apart.
-#define FAR_ERROR 8
+#define FAR_ERROR 1
 
 typedef struct cast_case {
   plane_body pair[2];
