@@ -1,13 +1,13 @@
-// The way of a cast in the plane against exact arithmetic: sides, distances from its line, what lies ahead, parts of it; ways and
+// The way of a cast in the plane against exact arithmetic: sides, distances from its line, what lies ahead, parts of it, where it enters; ways and
 // distances of all sizes up to the limits, vertices on the line and as near to it as integers come.
-#include "src/plane_motion/gjk2_way.h"
+#include "src/plane_motion/gjk2_entry.h"
 
 #include "plane.h"
 #include "wide_root.h"
 
 #define TRIALS check_trials(40000)
 
-static struct { unsigned wide, near, on_line, met, apart, exact; } tally;
+static struct { unsigned wide, near, on_line, met, apart, exact, entered, passed; } tally;
 
 static int sign_of(plane_wide x) {
   return (x > 0) - (x < 0);
@@ -100,6 +100,34 @@ static void check_outermost(gjk2_way *way) {
   }
 }
 
+// Where the line enters the cores, against all their vertices. Pre: the way's circles may meet.
+static void check_entry(gjk2_way *way) {
+  static plane_point a[PLANE_VERTICES], b[PLANE_VERTICES];
+  const int n = plane_vertices(way->a, a), m = plane_vertices(way->b, b);
+  const plane_wide tx = way->t.x, ty = way->t.y;
+  gjk2_entry e;
+  memset(&e, 0xA5, sizeof e);
+  const bool enters = gjk2_entry_find(way, &e);
+  const plane_wide px = way->delta.x + e.p.o.x, py = way->delta.y + e.p.o.y, side = tx * py - ty * px;
+  CHECK(!enters || e.count == 1 || e.count == 2);
+  CHECK(!enters || e.along == (int64_t)(e.n.x * px + e.n.y * py));
+  CHECK(!enters || (e.closing > 0 && e.closing == (uint64_t) - (int64_t)(e.n.x * tx + e.n.y * ty)));
+  CHECK(enters ? (e.count == 1 ? side == 0 : side <= 0 && side == e.side_p) : side != 0);
+  if (enters && e.count == 2) {
+    const plane_wide qx = way->delta.x + e.q.o.x, qy = way->delta.y + e.q.o.y;
+    CHECK(e.along == (int64_t)(e.n.x * qx + e.n.y * qy));
+    CHECK(tx * qy - ty * qx >= 0 && e.side_q == (int64_t)(tx * qy - ty * qx));
+  }
+  for (int i = 0; i < n; i++) {
+    for (int j = 0; j < m; j++) {
+      const plane_wide x = a[i].x - b[j].x, y = a[i].y - b[j].y, of = tx * y - ty * x;
+      CHECK(enters ? e.n.x * x + e.n.y * y <= e.along : side > 0 ? of >= side : of <= side);
+    }
+  }
+  tally.entered += enters;
+  tally.passed += !enters;
+}
+
 // How far the centres come near each other, from one fraction on the way to another.
 static long double least_between(const gjk2_way *way) {
   const long double x = way->delta.x, y = way->delta.y, tx = way->t.x, ty = way->t.y, squared = tx * tx + ty * ty;
@@ -178,11 +206,16 @@ int main(void) {
     check_vertex(&r, &way, (gjk2_vec){0, 0});
     check_outermost(&way);
     check_circles(&r, &way);
+    bool early, late;
+    if ((way.t.x != 0 || way.t.y != 0) && gjk2_way_may_meet(&way, 0, &early, &late)) {
+      check_entry(&way);
+    }
     check_portion(&r);
   }
-  printf("%u wide, %u distances, %u on the line, %u may meet, %u do not, %u exact quotients\n", tally.wide, tally.near,
-         tally.on_line, tally.met, tally.apart, tally.exact);
+  printf("%u wide, %u distances, %u on the line, %u may meet, %u do not, %u enter, %u pass, %u exact quotients\n",
+         tally.wide, tally.near, tally.on_line, tally.met, tally.apart, tally.entered, tally.passed, tally.exact);
   CHECK(tally.wide > TRIALS / 20 && tally.near > TRIALS && tally.on_line > TRIALS / 20 && tally.met > TRIALS / 10);
   CHECK(tally.apart > TRIALS / 10 && tally.exact > TRIALS / 20);
+  CHECK(tally.entered > TRIALS / 20 && tally.passed > TRIALS / 20);
   return check_done("plane way");
 }
