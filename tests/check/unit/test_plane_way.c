@@ -24,7 +24,7 @@ static gjk_q16 clamped(int64_t x) {
   return (gjk_q16)(x < INT32_MIN / 8 * 7 ? INT32_MIN / 8 * 7 : x > INT32_MAX / 8 * 7 ? INT32_MAX / 8 * 7 : x);
 }
 
-// A way of any size between two shapes, often along the line of their centres.
+// A way of any size between two shapes, often along the line of their centres or of a corner of A - B.
 static void make_way(random_state *r, plane_body pair[2], gjk2_way *way) {
   plane_any_pair(r, 4, pair);
   const unsigned bits = random_below(r, 3) == 0 ? 31 : 5 + random_below(r, 27);
@@ -37,12 +37,18 @@ static void make_way(random_state *r, plane_body pair[2], gjk2_way *way) {
     to[i].y = clamped((int64_t)at.y + any_step(r, bits));
   }
   const bool along = random_below(r, 3) == 0, stays = along || random_below(r, 3) == 0;
-  if (along) {  // B goes to A's centre, nearly, or as far beyond
+  if (along) {  // B goes to A's centre, or so that the nearest corner of A - B lies on the line; nearly, or as far beyond
     const gjk2_vec at = pair[1].collider.position, *a = &pair[0].collider.centre, *b = &pair[1].collider.centre;
-    const int64_t times = 1 + random_below(r, 2);
+    const int64_t times = 1 + random_below(r, 2), x = (int64_t)a->x - b->x, y = (int64_t)a->y - b->y;
+    const gjk2_vec ahead = {(int32_t)(x / 16), (int32_t)(y / 16)}, back = {-ahead.x, -ahead.y};
+    gjk2_support of_a = {{0, 0}, 0}, of_b = {{0, 0}, 0};
+    if (random_below(r, 2) == 0 && (ahead.x != 0 || ahead.y != 0)) {
+      pair[0].collider.shape->type->support(&pair[0].collider, &back, &of_a);
+      pair[1].collider.shape->type->support(&pair[1].collider, &ahead, &of_b);
+    }
     const uint32_t off = random_below(r, 2);
-    to[1].x = clamped(at.x + times * ((int64_t)a->x - b->x) + any_step(r, 5 * off));
-    to[1].y = clamped(at.y + times * ((int64_t)a->y - b->y) + any_step(r, 5 * off));
+    to[1].x = clamped(at.x + times * (x + of_a.offset.x - of_b.offset.x) + any_step(r, 5 * off));
+    to[1].y = clamped(at.y + times * (y + of_a.offset.y - of_b.offset.y) + any_step(r, 5 * off));
   }
   const gjk2_cast_path path = {stays ? NULL : &to[0], &to[1], 0};
   CHECK(gjk2_way_set(way, &pair[0].collider, &pair[1].collider, &path, way) == GJK_OK);
