@@ -362,13 +362,25 @@ static void check_statuses(void) {
   REFUSED(up.y, GJK_Q30_ONE / 2, GJK_ERROR_ROTATION);
   REFUSED(up.x, INT32_MIN, GJK_ERROR_ROTATION);
 #undef REFUSED
+  for (unsigned long_ones = 1; long_ones < (SPACE ? 8 : 4); long_ones++) {  // whose squares would leave 64 bits
+    setup = usual();
+    setup.up.x = (long_ones & 1) != 0 ? INT32_MIN : 0;
+    setup.up.y = (long_ones & 2) != 0 ? INT32_MIN : 0;
+#if SPACE
+    setup.up.z = (long_ones & 4) != 0 ? INT32_MIN : 0;
+#endif
+    CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_ERROR_ROTATION);
+  }
   CHECK(memcmp(&r, &untouched, sizeof r) == 0);
   setup = usual();
   setup.slope = GJK_Q30_ONE;
   setup.skin = ONE;
   setup.step = setup.reach = GJK_RADIUS_MAX;
   CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_OK);
-  setup.slope = setup.step = setup.reach = 0;
+  const unsigned with_ground = r.casts;
+  setup.reach = 0;  // no cast looks for ground
+  CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_OK && r.casts + 1u == with_ground && !r.on_ground);
+  setup.slope = setup.step = 0;
   setup.skin = GJK_SLIDE_SKIN_MIN;
   const gjk_vec3 far = VECTOR((1 << 30) - ONE, ONE - (1 << 30), (1 << 30) - ONE);
   set_walker(&c, &robot, far);
