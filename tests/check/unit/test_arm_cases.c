@@ -269,6 +269,34 @@ static void check_one_end(void) {
   }
 }
 
+// A ball goes along each axis, there and back, up to a body's one piece or away from it: what touches only at one end of the
+// way is found, on each side.
+static void check_sides_of_bodies(void) {
+  static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.25));
+  const int32_t from = 0;
+  make_single(&ball);
+  m.links[0].kind = GJK_ARM_PRISMATIC;
+  CHECK(init() == GJK_OK);
+  for (unsigned axis = 0; axis < 3; axis++) {
+    for (int side = -1; side <= 1; side += 2) {
+      gjk_compound_part piece = {&wall, GJK_POSE_IDENTITY};
+      gjk_compound_node node;
+      gjk_compound compound;
+      gjk_q16 *at = axis == 0 ? &piece.pose.position.x : axis == 1 ? &piece.pose.position.y : &piece.pose.position.z;
+      *at = side * GJK_Q16(10.0);
+      CHECK(gjk_compound_build(&piece, 1, &node, 1, &compound) == GJK_OK);
+      const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+      m.links[0].axis = (gjk_vec3){axis == 0, axis == 1, axis == 2};
+      CHECK(init() == GJK_OK && gjk_arm_bodies(&m.arm, &body, 1) == GJK_OK);
+      for (int end = -1; end <= 1; end += 2) {
+        const int32_t to = end * GJK_Q16(9.5);
+        CHECK(run(from, to, &plain).answer == (end == side ? GJK_ARM_TOUCH : GJK_ARM_FREE));
+        CHECK(run(to, from, &plain).answer == (end == side ? GJK_ARM_TOUCH : GJK_ARM_FREE));
+      }
+    }
+  }
+}
+
 // A part that is moved along one axis of its link alone is where its pose says. And no room for pairs is needed without pairs.
 static void check_offsets(void) {
   for (unsigned axis = 0; axis < 3; axis++) {
@@ -451,6 +479,7 @@ int main(void) {
   check_ceilings();
   check_far();
   check_one_end();
+  check_sides_of_bodies();
   check_same_gap();
   check_offsets();
   check_path();

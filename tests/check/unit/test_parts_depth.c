@@ -152,6 +152,10 @@ static void check_walls(void) {
   CHECK(gjk_parts_contacts(&body_of_walls, &b, -1, 4, NULL, NULL, 0, &part) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 0, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 9, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
+  const gjk_collider far = placed_at(&ball, GJK_Q16(100), 0, 0);  // refused as well where no part is near
+  CHECK(gjk_parts_contacts(&body_of_walls, &far, -1, 4, NULL, NULL, 0, &part) == GJK_ERROR_NEGATIVE);
+  CHECK(gjk_parts_contacts(&body_of_walls, &far, 0, 0, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_contacts(&body_of_walls, &far, 0, 9, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 4, NULL, NULL, 1, &part) == GJK_ERROR_NULL);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 4, NULL, NULL, 0, &part) == GJK_ERROR_CAPACITY && part == 2);
 }

@@ -89,6 +89,11 @@ static gjk2_pose any_pose(random_state *r, int32_t spread) {
 }
 
 static gjk2_pose pose_of_ground[GROUNDS], pose_of_mover[MOVERS];
+static bool grounds_last;  // in slots after those of the movers: then they are the second of their pairs
+
+static bool is_ground(uint32_t slot) {
+  return grounds_last ? slot >= MOVERS : slot < GROUNDS;
+}
 
 static void build(stage *s, uint8_t detail, gjk_q16 margin, bool retest) {
   const gjk2_scene_config config = {.bodies = GROUNDS + MOVERS,
@@ -104,18 +109,19 @@ static void build(stage *s, uint8_t detail, gjk_q16 margin, bool retest) {
   CHECK(gjk2_scene_bytes(&config) <= sizeof s->block);
   CHECK(gjk2_scene_init(&s->scene, &config, s->block, sizeof s->block, shapes, GROUNDS + MOVERS, &bindings) == GJK_OK);
   for (uint16_t i = 0; i < GROUNDS + MOVERS; i++) {
-    const bool is_ground = i < GROUNDS;
+    const bool stands = i < GROUNDS;
+    const uint16_t slot = (uint16_t)((i + (grounds_last ? MOVERS : 0)) % (GROUNDS + MOVERS));
     const gjk2_part part = {i, false, GJK2_POSE_IDENTITY};
-    const gjk2_body_setup setup = {is_ground ? pose_of_ground[i] : pose_of_mover[i - GROUNDS],
+    const gjk2_body_setup setup = {stands ? pose_of_ground[i] : pose_of_mover[i - GROUNDS],
                                    &part,
                                    1,
-                                   is_ground ? (i == 0 ? GJK_BODY_STATIC : GJK_BODY_KINEMATIC) : GJK_BODY_DYNAMIC,
+                                   stands ? (i == 0 ? GJK_BODY_STATIC : GJK_BODY_KINEMATIC) : GJK_BODY_DYNAMIC,
                                    0,
                                    1,
                                    1,
                                    i,
                                    margin};
-    CHECK(gjk2_scene_add_at(&s->scene, i, &setup, is_ground ? &s->ground[i] : &s->mover[i - GROUNDS]) == GJK_OK);
+    CHECK(gjk2_scene_add_at(&s->scene, slot, &setup, stands ? &s->ground[i] : &s->mover[i - GROUNDS]) == GJK_OK);
   }
   for (unsigned i = 0; i < 3; i++) {
     CHECK(gjk2_scene_set_motion(&s->scene, s->mover[i], GJK_MOTION_FAST) == GJK_OK);
@@ -172,6 +178,21 @@ static const gjk2_report *report_of(const stage *s, uint32_t a, uint32_t b) {
   return NULL;
 }
 
+// The report's manifold is that of the deepest contact, and leads from the report's a to its b.
+static void check_side(const gjk2_manifold *m, const gjk2_chain_contact *deepest) {
+  const gjk2_manifold *n = &deepest->manifold;
+  const int32_t sign = grounds_last ? -1 : 1;
+  CHECK(m->count == n->count && m->normal.x == sign * n->normal.x && m->normal.y == sign * n->normal.y);
+  CHECK((grounds_last ? m->feature_b : m->feature_a) == (deepest->segment & UINT16_MAX));
+  for (unsigned i = 0; i < m->count && i < n->count; i++) {
+    const gjk2_contact *c = &m->contact[i], *d = &n->contact[i];
+    const gjk2_vec *of_ground = grounds_last ? &c->point_b : &c->point_a,
+                   *of_body = grounds_last ? &c->point_a : &c->point_b;
+    CHECK(c->distance == d->distance && of_ground->x == d->point_a.x && of_ground->y == d->point_a.y &&
+          of_body->x == d->point_b.x && of_body->y == d->point_b.y);
+  }
+}
+
 // Each pair of ground and mover against the queries of ground.
 static void check_reports(const stage *s, gjk_q16 margin, uint8_t detail) {
   for (uint16_t g = 0; g < GROUNDS; g++) {
@@ -183,7 +204,8 @@ static void check_reports(const stage *s, gjk_q16 margin, uint8_t detail) {
       bool yes;
       CHECK(gjk2_scene_collider(&s->scene, s->mover[m], 0, &c) == GJK_OK);
       CHECK(gjk2_ground_within(found, &pose, &c, 2 * margin, &yes) == GJK_OK);
-      const gjk2_report *report = report_of(s, s->ground[g].slot, s->mover[m].slot);
+      const gjk2_report *report = grounds_last ? report_of(s, s->mover[m].slot, s->ground[g].slot)
+                                               : report_of(s, s->ground[g].slot, s->mover[m].slot);
       CHECK((report != NULL) == yes);
       if (report == NULL) {
         continue;
@@ -196,16 +218,19 @@ static void check_reports(const stage *s, gjk_q16 margin, uint8_t detail) {
       bool any;
       CHECK(gjk2_ground_distance(found, &pose, &c, &distance, &segment, &any) == GJK_OK && any);
       CHECK(gjk2_scene_ground_contacts(&s->scene, report, contacts, FOUND, &count) == GJK_OK);
+      unsigned deepest = 0;
       for (unsigned i = 0; i < count; i++) {
         for (unsigned k = 0; k < contacts[i].manifold.count; k++) {
           const gjk_q16 d = contacts[i].manifold.contact[k].distance;
+          deepest = d < least ? i : deepest;
           least = d < least ? d : least;
         }
       }
       if (detail == GJK_DETAIL_DISTANCE) {
         CHECK(report->distance == distance.distance);
       } else if (detail == GJK_DETAIL_CONTACTS && count > 0) {
-        CHECK(report->distance == least && report->manifold != NULL && report->manifold->count > 0);
+        CHECK(report->distance == least && report->manifold != NULL);
+        check_side(report->manifold, &contacts[deepest]);
       } else if (detail == GJK_DETAIL_DEPTH && distance.distance > 0) {
         CHECK(report->distance == distance.distance || report->distance < 0);
       }
@@ -243,7 +268,7 @@ static void check_probes(random_state *r, const stage *s, int32_t spread) {
       }
     }
     CHECK(!expected || (found && result.fraction <= first));
-    if (found && hit.body.slot < GROUNDS) {
+    if (found && is_ground(hit.body.slot)) {
       CHECK(expected && result.fraction == first);
       tally.hits++;
     }
@@ -278,7 +303,7 @@ static void check_overlaps(random_state *r, const stage *s, int32_t spread) {
     least = any && of_ground.distance < least ? of_ground.distance : least;
     tally.nearest += yes;
   }
-  CHECK(distance <= least && (nearest.body.slot >= GROUNDS || distance == least));
+  CHECK(distance <= least && (!is_ground(nearest.body.slot) || distance == least));
 }
 
 static void check_scenes(random_state *random) {
@@ -287,6 +312,7 @@ static void check_scenes(random_state *random) {
     const int32_t size = random_range(random, 4000, 20000), spread = 10 * size;
     const uint8_t detail = (uint8_t)(GJK_DETAIL_TOUCH + i % 4);
     const gjk_q16 margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, size / 4);
+    grounds_last = random_below(random, 2) == 0;
     make_grounds(random, size);
     for (unsigned g = 0; g < GROUNDS; g++) {
       pose_of_ground[g] = any_pose(random, 3 * size);

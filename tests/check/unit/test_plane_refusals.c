@@ -206,6 +206,25 @@ static void check_forged_distances(void) {
   CHECK(gjk2_check_decision(&a, &b, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
 }
 
+// Apart, a depth's answer is that, what it took and the certificate.
+static void check_no_depth(void) {
+  const gjk2_shape box = GJK2_BOX(5000, 3000), circle = GJK2_CIRCLE(3000), ellipse = GJK2_ELLIPSE(4000, 3000);
+  const gjk2_shape *shapes[] = {&box, &circle, &ellipse};
+  for (unsigned i = 0; i < 9; i++) {
+    for (gjk_q16 x = 6000; x < 12000; x += 100) {  // bounding circles that meet, and such that do not
+      const gjk2_collider a = placed2(shapes[i / 3], 0, 0), b = placed2(shapes[i % 3], x, 700);
+      gjk2_penetration_result out;
+      gjk2_distance_result distance;
+      memset(&out, 0xA5, sizeof out);
+      CHECK(gjk2_distance(&a, &b, NULL, &distance) == GJK_OK && gjk2_penetration(&a, &b, NULL, &out) == GJK_OK);
+      if (distance.distance > 8) {
+        CHECK(!out.intersecting && out.iterations <= GJK_ITERATIONS_MAX);
+        CHECK(out.certificate.proof == GJK2_PROOF_NONE || gjk2_check_penetration(&a, &b, &out) != GJK_ERROR_UNPROVEN);
+      }
+    }
+  }
+}
+
 static void check_forged_depths(void) {
   const gjk2_shape box = GJK2_BOX(5000, 3000), rounded = GJK2_ROUNDED_BOX(5000, 3000, 600), point = GJK2_POINT;
   const gjk2_shape segment = GJK2_SEGMENT(1000);
@@ -478,6 +497,7 @@ int main(void) {
   check_queries();
   check_wide_contacts();
   check_forged_distances();
+  check_no_depth();
   check_forged_depths();
   check_custom_point();
   check_enclosing();
