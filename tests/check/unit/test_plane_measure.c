@@ -1,4 +1,5 @@
-// The plane's lengths, distances and weights against exact arithmetic: ends of the ranges, exact ties, squares and their neighbours.
+// The plane's lengths, distances and weights against exact arithmetic: ends of the ranges, exact ties, squares and what lies
+// next to them.
 #include "src/plane/gjk2_measure.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-// The way of a cast in the plane against exact arithmetic: sides, distances from its line, what lies ahead, parts of it, where it enters; ways and
-// distances of all sizes up to the limits, vertices on the line and as near to it as integers come.
+// The way of a cast in the plane against exact arithmetic: sides, distances from its line, what lies ahead, parts of it, and
+// where it enters. Ways and distances of all sizes up to the limits; vertices on the line, and as near to it as integers come.
 #include "src/plane_motion/gjk2_entry.h"
 
 #include "plane.h"
@@ -117,7 +117,8 @@ static void check_entry(gjk2_way *way) {
   const plane_wide px = way->delta.x + e.p.o.x, py = way->delta.y + e.p.o.y, side = tx * py - ty * px;
   CHECK(!enters || e.count == 1 || e.count == 2);
   CHECK(!enters || e.along == (int64_t)(e.n.x * px + e.n.y * py));
-  CHECK(!enters || (e.closing > 0 && e.closing == (uint64_t) - (int64_t)(e.n.x * tx + e.n.y * ty)));
+  const plane_wide closing = -(e.n.x * tx + e.n.y * ty);
+  CHECK(!enters || (closing > 0 && e.closing == (uint64_t)closing));
   CHECK(enters ? (e.count == 1 ? side == 0 : side <= 0 && side == e.side_p) : side != 0);
   if (enters && e.count == 2) {
     const plane_wide qx = way->delta.x + e.q.o.x, qy = way->delta.y + e.q.o.y;
