@@ -350,9 +350,11 @@ static inline bool plane_is_late(const gjk2_advancing *s) {
 // Step 2. Finds the face at the start. Returns whether the gap there is at most the margin: exact of polygons.
 static bool plane_advance_starts_near(gjk2_advancing *s) {
   if (!plane_is_put_off(s) || !gjk2_face_find(s, 0)) {
-    const bool near = gjk2_face_is_near(s, 0);
+    if (gjk2_face_is_near(s, 0)) {
+      return true;  // an overlap has no normal
+    }
     gjk2_face_of_gap(s, &s->face);
-    return near;
+    return false;
   }
   if (s->gap.intersecting) {
     return true;

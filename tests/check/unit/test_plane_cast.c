@@ -871,6 +871,34 @@ static void test_open_margins(void) {
   CHECK(open > 0);
 }
 
+// Leaves numbers on the stack whose negation would trap, where the next call has its variables.
+static void stain_stack(void) {
+  volatile int32_t room[8192];
+  for (unsigned i = 0; i < sizeof room / sizeof room[0]; i++) {
+    room[i] = INT32_MIN;
+  }
+}
+
+// An overlap has no normal: nothing is made of what stands in its place.
+static void test_stained(void) {
+  const gjk2_shape box = GJK2_BOX(5000, 3000), ellipse = GJK2_ELLIPSE(4000, 3000), circle = GJK2_CIRCLE(3000);
+  const gjk2_shape *const shapes[] = {&box, &ellipse, &circle};
+  const gjk2_vec to = {20000, 9};
+  for (unsigned i = 0; i < 9; i++) {
+    for (gjk_q16 x = -9000; x <= 9000; x += 600) {
+      for (gjk_q16 margin = 0; margin <= 1000; margin += 500) {
+        const gjk2_collider a = placed2(shapes[i / 3], 0, 0), b = placed2(shapes[i % 3], x, 77);
+        const gjk2_cast_path path = {NULL, &to, margin};
+        gjk2_cast_result out;
+        stain_stack();
+        CHECK(gjk2_cast(&a, &b, &path, &out) == GJK_OK && (out.hit || x > 0));
+        gjk2_decision start;
+        CHECK(gjk2_within(&a, &b, margin, NULL, &start) == GJK_OK && (!start.yes || (out.hit && out.inside)));
+      }
+    }
+  }
+}
+
 static void test_statuses(void) {
   static const gjk2_shape box = GJK2_BOX(100, 50);
   gjk2_collider a = {0}, b = {0};
@@ -932,6 +960,7 @@ int main(void) {
   test_late_claim();
   test_exact_direction();
   test_open_margins();
+  test_stained();
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
   printf("closest ends: %lu hits, %lu misses\n", closest.hits, closest.misses);
