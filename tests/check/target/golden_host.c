@@ -12,9 +12,11 @@
 #include "plane_golden.h"
 #include "scene_golden.h"
 
+#ifndef GOLDEN_MANY
 static uint64_t scene_hash(uint32_t ticks) {
   return scene_golden_hash(ticks, 1);
 }
+#endif
 
 // A hash, of how much, and what it is in its header under this name.
 typedef struct golden {
@@ -29,17 +31,19 @@ typedef struct golden {
 #define FEW_AND_ALL(name, hash, sizes, of) \
   GOLDEN(name##_GOLDEN_FEW_HASH, hash, sizes##_GOLDEN_FEW_##of), GOLDEN(name##_GOLDEN_HASH, hash, sizes##_GOLDEN_##of)
 
+#define MANY(name, hash, sizes, of) GOLDEN(name##_GOLDEN_MANY_HASH, hash, sizes##_GOLDEN_MANY_##of)
+
 static const golden goldens[] = {
-#ifdef GOLDEN_MANY  // for the host alone
+#ifdef GOLDEN_MANY  // the larger sets
     GOLDEN(GOLDEN_MANY_HASH, golden_hash, GOLDEN_MANY_PAIRS),
-    GOLDEN(CONCAVE_GOLDEN_MANY_HASH, concave_golden_hash, CONCAVE_GOLDEN_MANY_TICKS),
-    GOLDEN(PLANE_GOLDEN_MANY_HASH, plane_golden_hash, PLANE_GOLDEN_MANY_PAIRS),
-    GOLDEN(MOTION_GOLDEN_MANY_HASH, motion_golden_hash, MOTION_GOLDEN_MANY_PAIRS),
-    GOLDEN(PLANE_MOTION_GOLDEN_MANY_HASH, plane_motion_golden_hash, MOTION_GOLDEN_MANY_PAIRS),
-    GOLDEN(PARTS_GOLDEN_MANY_HASH, parts_golden_hash, PARTS_GOLDEN_MANY_BODIES),
-    GOLDEN(PARTS_CONTACTS_GOLDEN_MANY_HASH, parts_contacts_golden_hash, PARTS_GOLDEN_MANY_BODIES),
-    GOLDEN(PARTS_MOTION_GOLDEN_MANY_HASH, parts_motion_golden_hash, PARTS_GOLDEN_MANY_BODIES),
-    GOLDEN(HULL_GOLDEN_MANY_HASH, hull_golden_hash, HULL_GOLDEN_MANY_SETS),
+    MANY(CONCAVE, concave_golden_hash, CONCAVE, TICKS),
+    MANY(PLANE, plane_golden_hash, PLANE, PAIRS),
+    MANY(MOTION, motion_golden_hash, MOTION, PAIRS),
+    MANY(PLANE_MOTION, plane_motion_golden_hash, MOTION, PAIRS),
+    MANY(PARTS, parts_golden_hash, PARTS, BODIES),
+    MANY(PARTS_CONTACTS, parts_contacts_golden_hash, PARTS, BODIES),
+    MANY(PARTS_MOTION, parts_motion_golden_hash, PARTS, BODIES),
+    MANY(HULL, hull_golden_hash, HULL, SETS),
 #else
     GOLDEN(GOLDEN_FEW_HASH, golden_hash, GOLDEN_FEW_PAIRS),
     GOLDEN(GOLDEN_HASH, golden_hash, GOLDEN_PAIRS),

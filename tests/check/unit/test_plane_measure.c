@@ -11,8 +11,6 @@
 #define TRIALS 200000
 #define LENGTH_MAX 1610612736.0  // 3 2^29
 
-__extension__ typedef __int128 wide;
-
 static unsigned long ties;
 
 // Integers of all sizes up to 2^bits, often a power of two or next to one.
@@ -50,14 +48,14 @@ static void check_root(random_state *random) {
     for (int near = -10; near <= 10; near++) {
       const uint64_t guess = r + (uint64_t)near;
       const uint32_t root = gjk2_root(x, guess >> 31 == 0 ? (uint32_t)guess : (uint32_t)(r >> (near + 10)));
-      CHECK((uint64_t)root * root <= x && (wide)(root + UINT64_C(1)) * (root + UINT64_C(1)) > x);
+      CHECK((uint64_t)root * root <= x && (wide_square)(root + UINT64_C(1)) * (root + UINT64_C(1)) > x);
     }
   }
 }
 
-// Is the wide product h^2 at least k^2 squared / 4, that is h / |n| at least k / 2?
+// Is h / |n| at least k / 2? Pre: h and squared = |n|^2 are below 2^62, k below 2^32.
 static bool reaches_half(uint64_t h, uint64_t k, uint64_t squared) {
-  return 4 * (wide)h * h >= (wide)k * k * squared;  // below 2^126 and 2^(66 + 62) / 4: k is below 2^32
+  return 4 * (wide_square)h * h >= (wide_square)k * k * squared;  // both below 2^126
 }
 
 static void check_distance(random_state *random) {
@@ -78,7 +76,7 @@ static void check_distance(random_state *random) {
   const uint64_t halves = any_size(random, 31);
   uint64_t h = any_size(random, 62);
   if (random_below(random, 4) != 0) {
-    h = (uint64_t)wide_root((wide)halves * halves * length.squared / 4) + random_below(random, 3) - (halves > 1);
+    h = (uint64_t)wide_root((wide_square)halves * halves * length.squared / 4) + random_below(random, 3) - (halves > 1);
   }
   if ((double)h > 9.0 * (1 << 29) * (1 << 29) || (double)h / size > LENGTH_MAX) {
     return;
@@ -88,9 +86,9 @@ static void check_distance(random_state *random) {
                  up = (uint64_t)gjk2_round_distance(&length, GJK2_ROUND_UP, h);
   CHECK(down < UINT64_C(1) << 31 && reaches_half(h, 2 * down, length.squared) &&
         !reaches_half(h, 2 * down + 2, length.squared));
-  CHECK(up == down + ((wide)h * h != (wide)down * down * length.squared));
+  CHECK(up == down + ((wide_square)h * h != (wide_square)down * down * length.squared));
   CHECK(nearest == down + reaches_half(h, 2 * down + 1, length.squared));
-  ties += 4 * (wide)h * h == (wide)(2 * down + 1) * (2 * down + 1) * length.squared;
+  ties += 4 * (wide_square)h * h == (wide_square)(2 * down + 1) * (2 * down + 1) * length.squared;
   for (int by = -1; by <= 1; by++) {
     const int64_t radius = (int64_t)down + by;
     CHECK(radius < 0 || gjk2_is_within((int64_t)h, n, (int32_t)radius) == (radius >= (int64_t)up));
@@ -104,9 +102,9 @@ static void check_distance(random_state *random) {
 
 static void check_reaches(random_state *random) {
   const uint64_t h = any_size(random, 62), squared = any_size(random, 62), rest = any_size(random, 63);
-  const wide most = ((wide)h * h - (wide)rest) / (squared == 0 ? 1 : (wide)squared);
+  const wide_square most = ((wide_square)h * h - (wide_square)rest) / (squared == 0 ? 1 : (wide_square)squared);
   const uint64_t x = most > 1 && most >> 61 == 0 ? (uint64_t)most + random_below(random, 3) - 1 : any_size(random, 62);
-  CHECK(gjk2_reaches(h, squared, x, rest) == ((wide)h * h >= (wide)x * squared + rest));
+  CHECK(gjk2_reaches(h, squared, x, rest) == ((wide_square)h * h >= (wide_square)x * squared + rest));
 }
 
 static void check_weight(random_state *random) {
@@ -116,7 +114,8 @@ static void check_weight(random_state *random) {
   if (length.squared >> 62 != 0) {
     return;
   }
-  const int64_t whole = (int64_t)length.squared, part = (int64_t)((wide)whole * random_below(random, 1001) / 1000);
+  const int64_t whole = (int64_t)length.squared,
+                part = (int64_t)((wide_square)whole * random_below(random, 1001) / 1000);
   const int32_t coarse = gjk2_weight(&length, false, part), fine = gjk2_weight(&length, true, part);
   const long double exact = (long double)part / whole * 2147483648.0L;
   CHECK(fabsl(coarse - exact) <= exact / (1 << 27) + 1 && fabsl(fine - exact) <= 1);

@@ -135,7 +135,7 @@ static void check_entry(gjk2_way *way) {
   tally.passed += !enters;
 }
 
-// How far the centres come near each other, from one fraction on the way to another.
+// How near the centres come to each other on the way.
 static long double least_between(const gjk2_way *way) {
   const long double x = way->delta.x, y = way->delta.y, tx = way->t.x, ty = way->t.y, squared = tx * tx + ty * ty;
   long double s = squared > 0 ? (x * tx + y * ty) / squared : 0;
@@ -144,7 +144,8 @@ static long double least_between(const gjk2_way *way) {
 }
 
 static void check_circles(random_state *r, const gjk2_way *way) {
-  const long double least = least_between(way);
+  const long double least = least_between(way), start = hypotl((long double)way->delta.x, (long double)way->delta.y),
+                    end = hypotl((long double)(way->delta.x - way->t.x), (long double)(way->delta.y - way->t.y));
   const int64_t cores = (int64_t)way->a->core_radius + way->b->core_radius;
   for (int i = 0; i < 4; i++) {
     const int64_t radius = i < 3 ? (int64_t)least - cores + i - 1 : random_range(r, 0, INT32_MAX);
@@ -153,9 +154,7 @@ static void check_circles(random_state *r, const gjk2_way *way) {
       continue;
     }
     const bool may = gjk2_way_may_meet(way, radius, &early, &late);
-    const long double reach = (long double)(cores + radius),
-                      start = hypotl((long double)way->delta.x, (long double)way->delta.y),
-                      end = hypotl((long double)(way->delta.x - way->t.x), (long double)(way->delta.y - way->t.y));
+    const long double reach = (long double)(cores + radius);
     CHECK(may || least > reach - 0.001L);
     CHECK(early || start > reach - 0.001L);
     CHECK(late || end > reach - 0.001L);
