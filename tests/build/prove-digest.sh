@@ -2,9 +2,10 @@
 #
 # tests/prove/digests.txt has a line RUN, tab, DIGEST for each run that last held on the code with that digest. It covers the
 # files that the run analyses, and the headers that they include, without comments but the `//@` ones and GJK_BITS_VERSION; the
-# run's options; and what open.txt lists for it.
+# run's options; and what open.txt lists for it. Of prototypes that take one line of a header, only those that they name count.
 
-# Leaves the digest of each file without its comments in $dir/files, and what it includes: FILE, tab, DIGEST, tab, NAMES.
+# Leaves the digest of each file without its comments in $dir/files, what it includes, and the prototypes that it names: FILE,
+# tab, DIGEST, tab, NAMES, tab, FUNCTIONS. Those prototypes are in $dir/prototypes: FUNCTION, tab, LINE.
 normalize() {
   normal=$dir/normal
   rm -rf "$normal"
@@ -20,6 +21,13 @@ normalize() {
         included = ""
         while ((getline line < file) > 0) {
           if (line !~ /\/\/@/ && line !~ /".*\/\/.*"/) sub(/\/\/.*/, "", line)
+          if (file ~ /^(src|include).*h$/ && line ~ /^[a-z].*[ *]gjk2?_[a-z0-9_]+\([^()]*\);$/) {
+            name = line
+            sub(/\(.*/, "", name)
+            sub(/.*[ *]/, "", name)
+            print name "\t" line >(normal "/../prototypes")
+            continue
+          }
           gsub(/[ \t]+/, " ", line)
           sub(/^ /, "", line)
           sub(/ $/, "", line)
@@ -37,8 +45,19 @@ normalize() {
       }
     }' "$dir/names" >"$dir/includes"
   (cd "$normal" && xargs cksum <"../names") >"$dir/sums"
-  awk -F '\t' 'FNR == NR { split($0, word, " "); sum[word[3]] = word[1] "." word[2]; next } { print $1 "\t" sum[$1] "\t" $2 }' \
-    "$dir/sums" "$dir/includes" >"$dir/files"
+  (cd "$normal" && xargs awk '
+    FILENAME == "../prototypes" { split($0, part, "\t"); known[part[1]]; next }
+    {
+      while (match($0, /gjk2?_[a-z0-9_]+/)) {
+        name = substr($0, RSTART, RLENGTH)
+        $0 = substr($0, RSTART + RLENGTH)
+        if (name in known && !((FILENAME, name) in seen)) { seen[FILENAME, name]; print FILENAME "\t" name }
+      }
+    }' ../prototypes <"../names") >"$dir/named"
+  awk -F '\t' '
+    FILENAME ~ /sums$/ { split($0, word, " "); sum[word[3]] = word[1] "." word[2]; next }
+    FILENAME ~ /named$/ { named[$1] = named[$1] " " $2; next }
+    { print $1 "\t" sum[$1] "\t" $2 "\t" named[$1] }' "$dir/sums" "$dir/named" "$dir/includes" >"$dir/files"
 }
 
 # digests RUN...: the line that digests.txt has of each where it is fresh. Headers are found by their names, which are unique.
@@ -50,9 +69,11 @@ digests() {
     printf '%s\t%s\t%s\n' "$run" "$options|$machine|$defines|$contracts" "$sources tests/prove/contracts.h"
   done >"$of/runs"
   awk -F '\t' -v folder="$of/code" '
-    FNR == NR {
+    FILENAME ~ /prototypes$/ { prototype[$1] = prototype[$1] $2; next }
+    FILENAME ~ /files$/ {
       sum[$1] = $2
       includes[$1] = $3
+      names[$1] = $4
       name = $1
       sub(/^.*\//, "", name)
       path[name] = $1
@@ -62,6 +83,7 @@ digests() {
       out = folder "/" $1
       print $2 >out
       split("", seen)
+      split("", told)
       count = split($3, wanted, " ")
       for (i = 1; i <= count; i++) {
         if (wanted[i] in seen) continue
@@ -69,9 +91,15 @@ digests() {
         print wanted[i], sum[wanted[i]] >out
         n = split(includes[wanted[i]], header, " ")
         for (k = 1; k <= n; k++) if (header[k] in path) wanted[++count] = path[header[k]]
+        n = split(names[wanted[i]], name_of, " ")
+        for (k = 1; k <= n; k++) {
+          if (name_of[k] in told) continue
+          told[name_of[k]]
+          print prototype[name_of[k]] >out
+        }
       }
       close(out)
-    }' "$dir/files" "$of/runs"
+    }' "$dir/prototypes" "$dir/files" "$of/runs"
   expected | sort | awk -F '\t' -v folder="$of/list" '
     FNR == NR { printf "" >(folder "/" $1); close(folder "/" $1); known[$1]; next }
     $1 != last { close(folder "/" last); last = $1 }

@@ -36,17 +36,22 @@ drivers_fit() (
 )
 check 'drivers and models of the proof have the types that the sources ask for' drivers_fit "$1"
 
-# altered SCRIPT: a copy of the sources, in which a script of sed has changed what poses are made of
+# altered BUILD FILE SCRIPT: a copy of the sources, in which a script of sed has changed a file
 altered() {
   copy_sources "$1/altered"
-  sed -i "$2" "$1/altered/src/place/gjk_pose.c"
+  sed -i "$3" "$1/altered/$2"
+  ! cmp -s "$2" "$1/altered/$2" || return 1
   (cd "$1/altered" && sh tests/build/prove.sh build --stale) >"$1/altered/said"
 }
+# noticed BUILD RUN FILE SCRIPT: the same makes the run stale
 noticed() {
-  ! altered "$1" 's/^gjk_status gjk_quat_normalize(.*{/&;/' && grep -q '^of other code: integrate-x-int32' "$1/altered/said"
+  ! altered "$1" "$3" "$4" && grep -q "^of other code: $2\." "$1/altered/said"
 }
-check 'comments are not looked at' altered "$1" '1i // Another comment.'
-check 'a change of the code is noticed' noticed "$1"
+poses=src/place/gjk_pose.c simplex=src/gjk/gjk_simplex.h
+check 'comments are not looked at' altered "$1" $poses '1i // Another comment.'
+check 'a change of the code is noticed' noticed "$1" integrate-x-int32 $poses 's/^gjk_status gjk_quat_normalize(.*{/&;/'
+check 'nor are prototypes that no run names' altered "$1" $simplex '/^void gjk_simplex_clear/i void gjk_simplex_named_by_none(gjk_simplex *s);'
+check 'a prototype that a run names is' noticed "$1" search-1-int16 $simplex 's/^void gjk_simplex_clear(gjk/void gjk_simplex_clear(const gjk/'
 
 if have frama-c; then
   # All runs of digests.txt have held on this code; two are repeated.
