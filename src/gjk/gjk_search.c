@@ -369,23 +369,9 @@ static bool place_beside_diagonal(gjk_iteration *it) {
 
 // Makes the diagonal a triangle with the nearest point on its border. False: it is no diagonal.
 GJK_OUT_OF_LINE static bool complete_diagonal(gjk_iteration *it) {
-  gjk_simplex *s = &it->simplex;
-  gjk_vertex corner[3];
-  gjk_long3 n;
-  if (!place_beside_diagonal(it)) {
-    return false;
+  if (!place_beside_diagonal(it) || !gjk_simplex_widen(&it->simplex)) {
+    return false;  // not widened: of parallel edges
   }
-  for (int i = 0; i < 3; i++) {
-    corner[i] = *gjk_simplex_vertex(s, i);
-  }
-  gjk_triangle_normal(&corner[0].w, &corner[1].w, &corner[2].w, &n);
-  if ((n.x | n.y | n.z) == 0) {
-    return false;  // of parallel edges
-  }
-  for (int i = 0; i < 3; i++) {
-    s->slot[i] = corner[i];
-  }
-  gjk_simplex_set(s, 3);  // keeps slot 2 the last
   it->diagonal = true;
   return true;
 }

@@ -230,6 +230,17 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   return true;
 }
 
+bool gjk_simplex_widen(gjk_simplex *s) {
+  const unsigned w = s->order[2];
+  set_all_products(s, w);
+  set_triangle(s, s->order[0], s->order[1], w);
+  if ((s->normal.x | s->normal.y | s->normal.z) == 0) {
+    s->count = 2;
+    return false;
+  }
+  return true;
+}
+
 unsigned gjk_simplex_beyond(const gjk_simplex *s) {
   unsigned edge = 0;
   while (edge < 3 && beyond_edge(s, edge, gjk_next(edge), gjk_next(gjk_next(edge))) >= 0) {

@@ -54,6 +54,10 @@ gjk_step gjk_simplex_add(gjk_simplex *s);
 // strictly inside what they span.
 bool gjk_simplex_set(gjk_simplex *s, unsigned n);
 
+// Makes the edge and the free slot a triangle, though its nearest point stays on the edge. False: the three are in a line,
+// and the feature is still the edge. Pre: count == 2.
+bool gjk_simplex_widen(gjk_simplex *s);
+
 // Beyond which edge of the triangle of the first three slots does the origin's projection onto its plane lie? Edge i
 // starts at slot i. 3: beyond none, it lies in the triangle or on its border.
 // Pre: gjk_simplex_set(s, 3) has been called, with any result; the slots are not in a line.

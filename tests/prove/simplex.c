@@ -85,6 +85,11 @@ static void run(unsigned count, unsigned i, unsigned j, unsigned k) {
     return;
   }
   any_vertex(gjk_simplex_free(&s));
+  if (count == 2 && any_bool()) {
+    (void)gjk_simplex_widen(&s);
+    check_feature(&s, 3);
+    return;
+  }
   const gjk_step step = gjk_simplex_add(&s);
   //@ split s.count;
   check_feature(&s, step == GJK_STEP_ENCLOSING ? 4 : 3);

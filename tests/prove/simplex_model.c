@@ -57,6 +57,14 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   return any_bool();
 }
 
+bool gjk_simplex_widen(gjk_simplex *s) {
+  //@ assert s->count == 2;
+  any_feature(s, 3);
+  const bool widened = any_bool();
+  s->count = widened ? 3 : 2;
+  return widened;
+}
+
 unsigned gjk_simplex_beyond(const gjk_simplex *s) {
   for (int i = 0; i < 3; i++) {
     check_vec3(&s->slot[i].w, ANY_W);
