@@ -125,6 +125,10 @@ golden() {
   rm -f "$folder"/*
   glue="-std=c99 -Iinclude -Iport -I. -Itests/support -Wl,--gc-sections"
   scene="$root/tests/support/scene/match.c $root/tests/check/target/scene_golden.c $root/tests/check/target/concave_golden.c"
+  board=$architecture
+  case $architecture$* in  # 256 KB of flash are not enough; Cortex-M3 has every instruction of Cortex-M0
+    cortex-m0*-O[03]* | cortex-m0*-fsanitize*) board=cortex-m3 ;;
+  esac
   case $architecture in
     host)
       linker=gcc
@@ -133,8 +137,8 @@ golden() {
     cortex-* | rv32imc | avr)
       linker=$(make -s "print-TOOLS_$architecture")
       glue="$glue -ffreestanding -fno-tree-loop-distribute-patterns tests/check/target/golden_firmware.c
-        $(make -s "print-BOARD_$architecture")"
-      case $architecture in
+        $(make -s "print-BOARD_$board")"
+      case $board in
         avr) glue="$glue -DGOLDEN_RUN_PAIRS=GOLDEN_FEW_PAIRS" scene= ;;
         cortex-m0) scene= ;;
         *) glue="$glue -DGOLDEN_SCENE" ;;
@@ -145,7 +149,7 @@ golden() {
       glue="$glue -static tests/check/target/golden_host.c port/hosted/gjk_hosted.c"
       ;;
   esac
-  case $architecture in  # what fits the memory
+  case $board in  # what fits the memory
     avr) parts=${golden_shared:+1 8 64} parts=${parts:-1 2 4 8 64} ;;  # simavr is slow: make matrix has all
     cortex-m0) parts='1 6 56 64' ;;
     *) parts=127 ;;
@@ -182,7 +186,7 @@ golden() {
     gcc*-flto*) glue="$glue -flto" ;;
   esac
   for part in $parts; do
-    case $architecture-$part in  # what contacts of surfaces need
+    case $board-$part in  # what contacts of surfaces need
       cortex-*-56) stack=-Wl,--defsym=STACK_SIZE=9216 ;;
       cortex-*-127 | rv32imc-127) stack=-Wl,--defsym=STACK_SIZE=12288 ;;  # and what move and slide needs among them
       *) stack= ;;
@@ -191,7 +195,7 @@ golden() {
     $linker $glue $stack "-DGOLDEN_PARTS=$part" -O2 "$folder"/*.o ${golden_objects:+"$golden_objects"/gjk*.o} -lgcc -o "$folder/golden.elf" || return 1
     case $architecture in
       host) "$folder/golden.elf" ;;
-      cortex-* | rv32imc | avr) sh tests/build/emulate.sh "$architecture" "$folder/golden.elf" ;;
+      cortex-* | rv32imc | avr) sh tests/build/emulate.sh "$board" "$folder/golden.elf" ;;
       *) "$(golden_emulator "$architecture")" "$folder/golden.elf" ;;
     esac || return 1
   done

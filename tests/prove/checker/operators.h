@@ -20,6 +20,8 @@
       axiom shift32: \forall integer x; 0x100000000 * down(x, 32) <= x < 0x100000000 * down(x, 32) + 0x100000000;
       axiom shift62: \forall integer x;
         0x4000000000000000 * down(x, 62) <= x < 0x4000000000000000 * down(x, 62) + 0x4000000000000000;
+      axiom shift63: \forall integer x;
+        0x8000000000000000 * down(x, 63) <= x < 0x8000000000000000 * down(x, 63) + 0x8000000000000000;
       axiom shift64: \forall integer x;
         0x10000000000000000 * down(x, 64) <= x < 0x10000000000000000 * down(x, 64) + 0x10000000000000000;
       axiom left16: \forall integer x; (x << 16) == x * 0x10000;
@@ -29,7 +31,10 @@
       axiom and16: \forall integer x; (x & 0xffff) == x - 0x10000 * down(x, 16);
       axiom and31: \forall integer x; (x & 0x7fffffff) == x - 0x80000000 * down(x, 31);
       axiom and32: \forall integer x; (x & 0xffffffff) == x - 0x100000000 * down(x, 32);
+      axiom above27: \forall integer x; (x & -0x8000000) == 0x8000000 * down(x, 27);
+      axiom upper27: \forall integer x; 0 <= x < 0x100000000 ==> (x & 0xf8000000) == 0x8000000 * down(x, 27);
       axiom above31: \forall integer x; 0 <= x < 0x10000000000000000 ==> (x & 0xffffffff80000000) == 0x80000000 * down(x, 31);
+      axiom bit31: \forall integer x; 0 <= x < 0x100000000 ==> ((x & 0x80000000) == 0 <==> x < 0x80000000);
       axiom or16: \forall integer x, y;
         0 <= x == 0x10000 * down(x, 16) && 0 <= y < 0x10000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or31: \forall integer x, y;
@@ -39,7 +44,13 @@
       axiom or62: \forall integer x, y;
         0 <= x == 0x4000000000000000 * down(x, 62) && 0 <= y < 0x4000000000000000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom xor_sign: \forall integer x, y; (y == 0 ==> (x ^ y) == x) && (y == -1 ==> (x ^ y) == -1 - x);
+      axiom sign_xor: \forall integer x, y; (x == 0 ==> (x ^ y) == y) && (x == -1 ==> (x ^ y) == -1 - y);
       axiom or_least: \forall integer x, y; 0 <= x && 0 <= y ==> (x | y) >= x && (x | y) >= y;
+      axiom or_most: \forall integer x, y; 0 <= x < 0x100000000 && 0 <= y < 0x100000000 ==> (x | y) < 0x100000000;
     } */
+
+// x with the bits of its sign turned, as the sources write it, and what or says of three such sizes.
+#define ONES(x, n) (((x) ^ down(x, n)) == ((x) < 0 ? -1 - (x) : (x)))
+#define JOINED(x, y, z) (((x) | (y) | (z)) >= (x) && ((x) | (y) | (z)) >= (y) && ((x) | (y) | (z)) >= (z))
 
 #endif

@@ -128,6 +128,16 @@
       axiom scale_least: \forall integer n; 0 <= n ==> 1 <= scale(n);
     } */
 
+#define REACH 0x60000000
+// What the frame holds: f times the centres' difference (x, y, z), with room for cores whose radii add up to c; and the
+// radius r, or less.
+/*@ predicate framed(integer x, integer y, integer z, integer c, integer f, integer dx, integer dy, integer dz) =
+      1 <= f && dx == f * x && dy == f * y && dz == f * z && 0 <= f * c <= 0x3fffffff &&
+      in_ball(dx, dy, dz, 0x40000000) && in_ball(dx, dy, dz, REACH - f * c); */
+/*@ lemma framed_one: \forall integer x, y, z, c;
+      0 <= c <= 0x20000000 && in_ball(x, y, z, 0x40000000) ==> framed(x, y, z, c, 1, x, y, z); */
+#define CORES(a, b) ((a)->core_radius + (b)->core_radius)
+
 #include "src/gjk/gjk_frame.h"
 
 // Stands for the class's vertex function.
@@ -146,7 +156,7 @@ bool space_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset);
       \forall integer i; 0 <= i < corners(c) ==> in_ball(px(c, i), py(c, i), pz(c, i), r);
     predicate solid(gjk_collider *c) =
       \valid_read(c) && \valid_read(c->shape) && \valid_read(c->shape->type) &&
-      1 <= c->core_radius && 0 <= c->shape->convex_radius && c->core_radius + c->shape->convex_radius <= 0x10000000 &&
+      1 <= c->core_radius && 0 <= c->shape->convex_radius && c->core_radius + c->shape->convex_radius <= 0xfff0004 &&
       (c->shape->type->stalls == \null ==> polyhedral(c) && cored(c, c->core_radius)); */
 
 #define RADII(a, b) ((a)->shape->convex_radius + (b)->shape->convex_radius)
@@ -222,8 +232,47 @@ static inline int32_t gjk_shl32(int32_t x, unsigned n);
     ensures \result == size3(XYZ(v)); */
 static inline uint32_t gjk_norm1(gjk_vec3 v);
 
+// The direction from an edge to the origin.
+#define SPAN33(x) (-0x100000000 <= (x) < 0x100000000)
+#define SPAN32(x) (-0x80000000 <= (x) < 0x80000000)
+
+#define LOW31(x) ((x) - 0x80000000 * down(x, 31))
+
+/*@ requires \valid_read(v);
+    assigns \nothing;
+    ensures \result == 0 ==> SPAN33(v->x) && SPAN33(v->y) && SPAN33(v->z); */
+static uint32_t high_bits(const gjk_long3 *v);
+
+/*@ requires \valid_read(v) && SPAN33(v->x) && SPAN33(v->y) && SPAN33(v->z);
+    assigns \nothing;
+    ensures (\result & 0x80000000) == 0 ==> SPAN32(v->x) && SPAN32(v->y) && SPAN32(v->z); */
+static uint32_t low_bits(const gjk_long3 *v);
+
+/*@ requires n == 31 && SPAN32(x);
+    assigns \nothing;
+    ensures \result == 0x80000000 * x; */
+static inline int64_t gjk_shl64(int64_t x, unsigned n);
+
+#define PART(t) (0 < (t) <= 0x3000000000000000)
+/*@ requires -REACH <= a <= REACH && -REACH <= b <= REACH && PART(ta) && PART(tb) && \valid(high);
+    assigns *high;
+    ensures 0 <= \result < 0x80000000;
+    ensures 0x80000000 * *high + \result == -(a * tb + b * ta); */
+static uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high);
+
+/*@ requires \valid_read(n) && \valid(out) && \separated(n, out);
+    assigns *out; */
+void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out);
+
+/*@ requires \valid_read(a) && \valid_read(b) && \valid(out) && \separated(a, out) && \separated(b, out);
+    requires -REACH <= a->x <= REACH && -REACH <= a->y <= REACH && -REACH <= a->z <= REACH && PART(ta);
+    requires -REACH <= b->x <= REACH && -REACH <= b->y <= REACH && -REACH <= b->z <= REACH && PART(tb);
+    assigns *out;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 0 ==> meets_one(a->x, b->x, ta, tb) && meets_one(a->y, b->y, ta, tb) && meets_one(a->z, b->z, ta, tb); */
+bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta, gjk_search_direction *out);
+
 // The checker.
-#define REACH 0x60000000
 #define EXTENT 0x1200000000000000
 #define DIRECTION(d) (-REACH <= (d).x <= REACH && -REACH <= (d).y <= REACH && -REACH <= (d).z <= REACH)
 
@@ -301,14 +350,6 @@ static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, in
     lemma reached_by_near: \forall gjk_collider *a, *b, integer x, y, z, f, r;
       near3(a, b, x, y, z, f, r) ==> reached3(a, b, x, y, z, f, r); */
 
-// What the frame holds: f times the centres' difference (x, y, z), with room for cores whose radii add up to c; and the
-// radius r, or less.
-/*@ predicate framed(integer x, integer y, integer z, integer c, integer f, integer dx, integer dy, integer dz) =
-      1 <= f && dx == f * x && dy == f * y && dz == f * z && 0 <= f * c <= 0x3fffffff &&
-      in_ball(dx, dy, dz, 0x40000000) && in_ball(dx, dy, dz, REACH - f * c); */
-/*@ lemma framed_one: \forall integer x, y, z, c;
-      0 <= c <= 0x20000000 && in_ball(x, y, z, 0x40000000) ==> framed(x, y, z, c, 1, x, y, z); */
-#define CORES(a, b) ((a)->core_radius + (b)->core_radius)
 #define FRAMED(it) framed(APART((it)->a, (it)->b), CORES((it)->a, (it)->b), scale((it)->shift), XYZ((it)->delta))
 #define SLOT(s, k) XYZ((s)->slot[k].w)
 #define AT(it, L)                                                                                        \
@@ -553,7 +594,7 @@ static int far_shift(const gjk_long3 *delta);
     ensures shift == 0 && -0x80000000 <= difference <= 0x7fffffff ==> \result == difference; */
 static int32_t far_component(int64_t difference, int shift);
 
-#define ROUND(it, c) (\valid_read(c) && \separated(it, c) && 1 <= (c)->core_radius <= 0x10000000)
+#define ROUND(it, c) (\valid_read(c) && \separated(it, c) && 1 <= (c)->core_radius <= 0xfff0004)
 
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
     assigns it->shift, it->delta, it->radius;
@@ -563,7 +604,15 @@ static int32_t far_component(int64_t difference, int shift);
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift)); */
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
-// Taken as given: provers do not see what bits say of sizes.
+/*@ lemma short_ball: \forall integer x, y, z, r; size3(x, y, z) <= r ==> in_ball(x, y, z, r); */
+
+/*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
+    requires \valid_read(delta) && \separated(it, delta) && close3(XYZ(*delta));
+    assigns it->shift, it->delta, it->radius;
+    ensures 0 <= it->shift <= 29 && framed(XYZ(*delta), CORES(it->a, it->b), scale(it->shift), XYZ(it->delta));
+    ensures radius_framed(it->radius, radius, scale(it->shift)); */
+static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius);
+
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
     assigns it->shift, it->delta, it->radius;
     ensures \result == 0 || \result == 1;
