@@ -71,6 +71,7 @@ fault parts-swapped src/gjk/gjk_simplex.c gjk_simplex_direction 's->toward[b][a]
   's->toward[a][b], &s->slot[b].w, s->toward[b][a], out);' "$open"
 fault norm-of-one-core src/gjk/gjk_frame.h gjk_frame_fill '(it->a->core_radius + it->b->core_radius));' '(it->a->core_radius + it->a->core_radius));' "$open"
 fault centre-of-y src/gjk/gjk_frame.h gjk_frame_set 'gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2)' 'gjk_sar32(a->z, 2) - gjk_sar32(b->y, 2)' "$open"
+fault offset-of-x src/gjk/gjk_frame.h gjk_frame_move 'gjk_shl32(offset.y, shift);' 'gjk_shl32(offset.x, shift);' "$open"
 fault limit-of-x src/gjk/gjk_frame.c longer_than '(uint32_t)limit, (uint32_t)limit);' '(uint32_t)limit, (uint32_t)x);' "$open"
 fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \

@@ -358,7 +358,7 @@ static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, in
 #define NAMED3(it, c, k, L)                                                            \
   (named3(AT(it, L), \at((c)->a[k], L), \at((c)->b[k], L), SLOT(&(it)->simplex, k)) && \
    reach3(\at((it)->delta.x, L), \at((it)->delta.y, L), \at((it)->delta.z, L), SLOT(&(it)->simplex, k)))
-#define CORED(c) (SOLID(c) && 1 <= (c)->core_radius <= 0x10000000 && cored(c, (c)->core_radius))
+#define CORED(c) (SOLID(c) && 1 <= (c)->core_radius <= 0xfff0004 && cored(c, (c)->core_radius))
 #define FRAME(it) \
   (\valid(it) && CORED((it)->a) && CORED((it)->b) && \separated(it, (it)->a) && \separated(it, (it)->b) &&           \
    \separated(it, (it)->a->shape) && \separated(it, (it)->b->shape) && \separated(it, (it)->a->shape->type) &&       \
@@ -498,6 +498,39 @@ static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k)
     ensures \result == 1 ==> ENCLOSES(s, n); */
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
 
+#define ROUND(it, c) (\valid_read(c) && \separated(it, c) && 1 <= (c)->core_radius <= 0xfff0004)
+
+/*@ predicate times_less(integer k, integer a, integer b) = k * a <= k * b;
+    lemma times_less: \forall integer k, a, b; 0 <= k && a <= b ==> times_less(k, a, b);
+    predicate room3(integer x, integer y, integer z, integer c) = in_ball(x, y, z, REACH - c);
+    lemma room3: \forall integer x, y, z, u, v, w, c;
+      0 <= c <= REACH && room3(x, y, z, c) && in_ball(u, v, w, c) ==> in_ball(x + u, y + v, z + w, REACH);
+    lemma ball_grown: \forall integer x, y, z, r, s; 0 <= r <= s && in_ball(x, y, z, r) ==> in_ball(x, y, z, s); */
+#define MOVED(d, x, f) (-0x40000000 < (f) * (x) < 0x40000000 && -REACH <= (d) + (f) * (x) <= REACH)
+
+/*@ requires \valid_read(it) && \valid(w) && 0 <= it->shift <= 29 && \separated(w, &it->delta) && \separated(w, &it->shift);
+    requires MOVED(it->delta.x, offset.x, scale(it->shift)) && MOVED(it->delta.y, offset.y, scale(it->shift)) &&
+      MOVED(it->delta.z, offset.z, scale(it->shift));
+    assigns *w;
+    ensures w->x == it->delta.x + scale(it->shift) * offset.x && w->y == it->delta.y + scale(it->shift) * offset.y &&
+      w->z == it->delta.z + scale(it->shift) * offset.z; */
+static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 offset, gjk_vec3 *w);
+
+/*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= it->shift <= 29 && FRAMED(it);
+    requires 0 <= it->simplex.count <= 3 && v == &it->simplex.slot[it->simplex.count];
+    requires \valid_read(b) && \separated(b, it);
+    requires in_ball(XYZ(v->a.offset), it->a->core_radius) && in_ball(XYZ(b->offset), it->b->core_radius);
+    assigns v->b, v->w;
+    ensures v->w.x == seat(it->delta.x, scale(it->shift), v->a.offset.x, b->offset.x) &&
+      v->w.y == seat(it->delta.y, scale(it->shift), v->a.offset.y, b->offset.y) &&
+      v->w.z == seat(it->delta.z, scale(it->shift), v->a.offset.z, b->offset.z) && reach3(XYZ(it->delta), XYZ(v->w)); */
+static void complete_vertex(const gjk_iteration *it, gjk_vertex *v, const gjk_support *b);
+
+/*@ requires \valid(s) && s->count <= 3 && IN_ORDER(s);
+    assigns \nothing;
+    ensures \result == &s->slot[s->count]; */
+static inline gjk_vertex *gjk_simplex_free(gjk_simplex *s);
+
 /*@ requires \valid(it) && 0 <= it->simplex.count <= 3 && IN_ORDER(&it->simplex) && FRAME(it);
     assigns it->simplex.slot[it->simplex.count];
     ensures \result == 0 || \result == 1;
@@ -593,8 +626,6 @@ static int far_shift(const gjk_long3 *delta);
 /*@ assigns \nothing;
     ensures shift == 0 && -0x80000000 <= difference <= 0x7fffffff ==> \result == difference; */
 static int32_t far_component(int64_t difference, int shift);
-
-#define ROUND(it, c) (\valid_read(c) && \separated(it, c) && 1 <= (c)->core_radius <= 0xfff0004)
 
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
     assigns it->shift, it->delta, it->radius;
