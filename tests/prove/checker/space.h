@@ -236,7 +236,7 @@ static inline uint32_t gjk_norm1(gjk_vec3 v);
 #define SPAN33(x) (-0x100000000 <= (x) < 0x100000000)
 #define SPAN32(x) (-0x80000000 <= (x) < 0x80000000)
 
-#define LOW31(x) ((x) - 0x80000000 * down(x, 31))
+#define LOW31(x) ((x)-0x80000000 * down(x, 31))
 
 /*@ requires \valid_read(v);
     assigns \nothing;
@@ -270,7 +270,8 @@ void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out);
     assigns *out;
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> meets_one(a->x, b->x, ta, tb) && meets_one(a->y, b->y, ta, tb) && meets_one(a->z, b->z, ta, tb); */
-bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta, gjk_search_direction *out);
+bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta,
+                                  gjk_search_direction *out);
 
 // The checker.
 #define EXTENT 0x1200000000000000
