@@ -2,8 +2,10 @@
 #
 # Each assertion of a problem that has a quantifier is dropped, but the last, which is the goal. Less is assumed then,
 # so `unsat` still proves the goal. Z3 decides polynomials by a method that it does not use beside quantifiers. Why3
-# writes definitions as quantified equations, whose names end in 'def: these become definitions of Z3. The last try keeps
-# the axioms of operators.h: what they say of bits is lost to provers that have WP's whole theory of bits beside them.
+# writes definitions as quantified equations, whose names end in 'def: these become definitions of Z3.
+#
+# The last try keeps the axioms of operators.h: what they say of bits is lost to provers that have WP's whole theory of
+# bits beside them.
 import os
 import re
 import subprocess

@@ -18,8 +18,8 @@ def function(name):
     for path in ("arith/gjk_wide.c", "arith/gjk_wide.h", "arith/gjk_vector.h", "arith/gjk_vector_inline.h",
                  "plane/gjk2_check.c", "plane/gjk2_measure.c", "plane/gjk2_measure.h", "plane/gjk2_search.h",
                  "plane/gjk2_search_frame.c", "plane/gjk2_vector.h", "plane/gjk2_class.h", "query/gjk_check.c",
-                 "arith/gjk_vector.c", "gjk/gjk_frame.c", "gjk/gjk_frame.h", "gjk/gjk_iteration.c", "gjk/gjk_iteration.h",
-                 "gjk/gjk_simplex.c", "gjk/gjk_simplex.h", "shape/gjk_shape_class.h"):
+                 "arith/gjk_vector.c", "gjk/gjk_frame.c", "gjk/gjk_frame.h", "gjk/gjk_iteration.c",
+                 "gjk/gjk_iteration.h", "gjk/gjk_simplex.c", "gjk/gjk_simplex.h", "shape/gjk_shape_class.h"):
         found = re.search(head + r".*?^\}$", open("src/" + path).read(), re.M | re.S)
         if found:
             return [s for s in found.group().split("\n") if s.strip() and not s.lstrip().startswith("//")]
