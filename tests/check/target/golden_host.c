@@ -28,35 +28,32 @@ typedef struct golden {
 
 #define GOLDEN(name, hash, size) \
   { #name, name, hash, size }
-#define FEW_AND_ALL(name, hash, sizes, of) \
-  GOLDEN(name##_GOLDEN_FEW_HASH, hash, sizes##_GOLDEN_FEW_##of), GOLDEN(name##_GOLDEN_HASH, hash, sizes##_GOLDEN_##of)
 
-#define MANY(name, hash, sizes, of) GOLDEN(name##_GOLDEN_MANY_HASH, hash, sizes##_GOLDEN_MANY_##of)
+// The sets of a kind: the larger one, or a few of a set and all of it.
+#ifdef GOLDEN_MANY
+#define HASHES(name, hash, sizes, of) GOLDEN(name##_GOLDEN_MANY_HASH, hash, sizes##_GOLDEN_MANY_##of)
+#else
+#define HASHES(name, hash, sizes, of) \
+  GOLDEN(name##_GOLDEN_FEW_HASH, hash, sizes##_GOLDEN_FEW_##of), GOLDEN(name##_GOLDEN_HASH, hash, sizes##_GOLDEN_##of)
+#endif
 
 static const golden goldens[] = {
-#ifdef GOLDEN_MANY  // the larger sets
+#ifdef GOLDEN_MANY
     GOLDEN(GOLDEN_MANY_HASH, golden_hash, GOLDEN_MANY_PAIRS),
-    MANY(CONCAVE, concave_golden_hash, CONCAVE, TICKS),
-    MANY(PLANE, plane_golden_hash, PLANE, PAIRS),
-    MANY(MOTION, motion_golden_hash, MOTION, PAIRS),
-    MANY(PLANE_MOTION, plane_motion_golden_hash, MOTION, PAIRS),
-    MANY(PARTS, parts_golden_hash, PARTS, BODIES),
-    MANY(PARTS_CONTACTS, parts_contacts_golden_hash, PARTS, BODIES),
-    MANY(PARTS_MOTION, parts_motion_golden_hash, PARTS, BODIES),
-    MANY(HULL, hull_golden_hash, HULL, SETS),
+    GOLDEN(CONCAVE_GOLDEN_MANY_HASH, concave_golden_hash, CONCAVE_GOLDEN_MANY_TICKS),
 #else
     GOLDEN(GOLDEN_FEW_HASH, golden_hash, GOLDEN_FEW_PAIRS),
     GOLDEN(GOLDEN_HASH, golden_hash, GOLDEN_PAIRS),
     GOLDEN(SCENE_GOLDEN_FEW_HASH, scene_hash, SCENE_GOLDEN_FEW_TICKS),
     GOLDEN(CONCAVE_GOLDEN_HASH, concave_golden_hash, CONCAVE_GOLDEN_TICKS),
-    FEW_AND_ALL(PLANE, plane_golden_hash, PLANE, PAIRS),
-    FEW_AND_ALL(MOTION, motion_golden_hash, MOTION, PAIRS),
-    FEW_AND_ALL(PLANE_MOTION, plane_motion_golden_hash, MOTION, PAIRS),
-    FEW_AND_ALL(PARTS, parts_golden_hash, PARTS, BODIES),
-    FEW_AND_ALL(PARTS_CONTACTS, parts_contacts_golden_hash, PARTS, BODIES),
-    FEW_AND_ALL(PARTS_MOTION, parts_motion_golden_hash, PARTS, BODIES),
-    FEW_AND_ALL(HULL, hull_golden_hash, HULL, SETS),
 #endif
+    HASHES(PLANE, plane_golden_hash, PLANE, PAIRS),
+    HASHES(MOTION, motion_golden_hash, MOTION, PAIRS),
+    HASHES(PLANE_MOTION, plane_motion_golden_hash, MOTION, PAIRS),
+    HASHES(PARTS, parts_golden_hash, PARTS, BODIES),
+    HASHES(PARTS_CONTACTS, parts_contacts_golden_hash, PARTS, BODIES),
+    HASHES(PARTS_MOTION, parts_motion_golden_hash, PARTS, BODIES),
+    HASHES(HULL, hull_golden_hash, HULL, SETS),
 };
 
 int main(void) {
