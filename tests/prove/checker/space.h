@@ -517,6 +517,12 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
       w->z == it->delta.z + scale(it->shift) * offset.z; */
 static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 offset, gjk_vec3 *w);
 
+// A's vertex less B's, and that in the frame's units.
+#define BETWEEN(v, b) (v)->a.offset.x - (b)->offset.x, (v)->a.offset.y - (b)->offset.y, (v)->a.offset.z - (b)->offset.z
+#define SCALED(it, v, b)                                                                                          \
+  scale((it)->shift) * ((v)->a.offset.x - (b)->offset.x), scale((it)->shift) * ((v)->a.offset.y - (b)->offset.y), \
+      scale((it)->shift) * ((v)->a.offset.z - (b)->offset.z)
+
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= it->shift <= 29 && FRAMED(it);
     requires 0 <= it->simplex.count <= 3 && v == &it->simplex.slot[it->simplex.count];
     requires \valid_read(b) && \separated(b, it);
