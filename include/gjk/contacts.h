@@ -46,7 +46,8 @@ typedef struct gjk_manifold {
 //         only if it is wider than about 6 sqrt(convex radius), both in LSB. Posing tilts narrower ones.
 // Edges   A shape without a face within 20 degrees of the normal touches with an edge, a curved side along a line
 //         within 20 degrees of perpendicular. Edges opposite each other all along, to 2 LSB, share two points. So do
-//         curved sides if a point between them is within 1/2 LSB of both. Other edges meet where they cross.
+//         curved sides if a point between them is within 1/2 LSB of both, and at most 1 beyond their ends. Other edges
+//         meet where they cross.
 // Others  All other shapes, such as hulls without faces, meet in the one pair of points of gjk_signed_distance. So do
 //         shapes whose centres are more than 8192 units apart along an axis.
 // Least   The pair of points of gjk_signed_distance is among the contacts whenever it is nearer than the others.

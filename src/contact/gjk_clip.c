@@ -8,7 +8,7 @@
 //   3. Two edges that cross are a candidate, with a point on each edge.
 //   4. Give each candidate an id, and of candidates with one id keep the deepest.
 //   5. Drop slivers: crossings that bound next to nothing and are no deeper than the rest.
-// Two edges have no inside. They share an interval of their common direction, whose two ends are the candidates:
+// Two edges have no inside. They share an interval of their common way, whose two ends are the candidates:
 //   6. Intersect the intervals. All products are exact.
 //   7. Find the point of each edge at both ends. The points must lie across from each other.
 //
@@ -491,6 +491,13 @@ typedef struct opposite_pair {
   uint16_t id;
 } opposite_pair;
 
+// Does a move by half of aside slip along the edge by at most 1 LSB? So it leaves an end of the side by no more.
+static bool stays_on(const gjk_polygon *edge, const gjk_vec3 *aside) {
+  const gjk_vec3 e = gjk_sub(edge->corner[1], edge->corner[0]);
+  const uint64_t along = gjk_magnitude64(gjk_dot(&e, aside));  // to be at most 2 |e| <= 2^30
+  return along >> 31 == 0 && gjk_umul32((uint32_t)along, (uint32_t)along) <= 4 * (uint64_t)gjk_dot(&e, &e);
+}
+
 // Step 7: finds the points at x. False: they are too far aside of each other.
 static bool find_opposite(const clip *c, const edge_span *a, const edge_span *b, int64_t x, opposite_pair *out) {
   const gjk_vec3 on_a = point_at(a, x), on_b = point_at(b, x), step = gjk_sub(on_b, on_a);
@@ -512,19 +519,30 @@ static bool find_opposite(const clip *c, const edge_span *a, const edge_span *b,
   const gjk_vec3 middle = {gjk_sar32(aside.x, 1), gjk_sar32(aside.y, 1), gjk_sar32(aside.z, 1)};
   out->a = gjk_add(on_a, middle);
   out->b = gjk_add(gjk_sub(on_b, aside), middle);
-  return squared <= 4 * (int64_t)radius;
+  return squared <= 4 * (int64_t)radius && stays_on(c->a, &aside) && stays_on(c->b, &aside);
 }
 
-// Steps 6 and 7: the intervals lie along e + f, the sum of the edges' directions turned alike.
-//   |e|, |f|     at most 2^29:                |along| <= 2^30
-//   |to_b|       below 2^31:                  products below 2^61
+// Where two edges lead that are turned alike: their sum as seen along the direction, so that points equally far along it lie
+// across from each other, at any gap and however the edges lean. As long as 30 bits allow: what rounding leaves of the
+// direction moves points by at most 2^-29 of the gap.
+static gjk_vec3 common_way(const clip *c, const gjk_vec3 *e, const gjk_vec3 *f) {
+  const gjk_vec3 sum = gjk_add(*e, *f), way = gjk_scale_direction(&sum);  // not 0: neither edge is
+  const int32_t lean = (int32_t)gjk_sar64(gjk_dot(&way, &c->a->direction) + (INT64_C(1) << 29), 30);
+  gjk_vec3 leaning;
+  gjk_scaled(&c->a->direction, lean, 30, &leaning);
+  return gjk_sub(way, leaning);
+}
+
+// Steps 6 and 7: the intervals lie along the edges' common way.
+//   |e|, |f|     at most 2^29:                |along| <= sqrt(3) 2^30
+//   |to_b|       below 2^31:                  products below 2^62
 static void clip_edges(clip *c) {
   const gjk_vec3 *a = c->a->corner, *b = c->b->corner;
   const gjk_vec3 e = gjk_sub(a[1], a[0]);
   gjk_vec3 f = gjk_sub(b[1], b[0]);
   const bool turned = gjk_dot(&e, &f) < 0;
   f = turned ? gjk_negate(f) : f;
-  const gjk_vec3 along = gjk_add(e, f), to_b = gjk_sub(b[turned ? 1 : 0], a[0]);
+  const gjk_vec3 along = common_way(c, &e, &f), to_b = gjk_sub(b[turned ? 1 : 0], a[0]);
   const int64_t start = gjk_dot(&to_b, &along);
   const edge_span of_a = {c->a, 0, 0, gjk_dot(&e, &along)};
   const edge_span of_b = {c->b, turned ? 1u : 0u, start, start + gjk_dot(&f, &along)};

@@ -12,9 +12,12 @@
 #define SEED 20270103
 #define PAIRS_PER_CELL ((unsigned)check_trials(240))
 #define TOLERANCE 2.0L
-// The points of a depth, which is rounded up; of curved shapes within 3 LSB: and the points' rounding.
+#define SURFACE_TOLERANCE 3.0L  // 4 in gjk/contacts.h
+// The points of a depth, which is rounded up; of curved shapes within 3 LSB: and the points' rounding. Points of a depth that
+// is as large as the shapes coincide to within 3 LSB.
 #define DEPTH_TOLERANCE 3.0L
 #define CURVED_TOLERANCE 4.0L
+#define DEEP_TOLERANCE 6.0L
 #define VERTICES 512
 #define CELLS (GJK_EPA_CELLS(VERTICES) + VERTICES)
 
@@ -97,15 +100,32 @@ static void beside(random_state *random, const subject *a, subject *b) {
   b->shape.pose.position.z += by.z;
 }
 
-// Moves B along the normal to a gap near zero.
-static bool approach(random_state *random, const subject *a, subject *b) {
+// Bars side by side, whose axes lean from each other by 1e-6 to 1/4 rad: their sides are lines, or lean too much for that.
+static void lean(random_state *random, const subject *a, subject *b) {
+  const gjk_quat tilt = axis_turn(random, (int32_t)(1.0 + 256000 * pow(random_unit(random), 6)));
+  gjk_vec3 offset = random_vector(random, (double)a->shape.size.x + b->shape.size.x + 8);
+  gjk_quat unit;
+  gjk_quat_normalize(&a->shape.pose.rotation, &unit);
+  gjk_quat_compose(&tilt, &unit, &b->shape.pose.rotation);
+  offset.z = random_range(random, -a->shape.size.z, a->shape.size.z);
+  CHECK(gjk_quat_apply(&unit, &offset, &offset) == GJK_OK);
+  b->shape.pose.position = a->shape.pose.position;
+  b->shape.pose.position.x += offset.x;
+  b->shape.pose.position.y += offset.y;
+  b->shape.pose.position.z += offset.z;
+}
+
+// Moves B along the normal to a gap near zero, or of any size.
+static bool approach(random_state *random, const subject *a, subject *b, bool any) {
   gjk_distance_result d;
   const gjk_status status = gjk_signed_distance(&a->collider.collider, &b->collider.collider, NULL, &workspace, &d);
   if (status != GJK_OK) {
     return status == GJK_ERROR_CAPACITY;
   }
-  const int32_t deep = b->collider.collider.radius / 16;
-  const double by = random_range(random, random_below(random, 2) == 0 ? -deep : -3, 3) - (double)d.distance;
+  const int32_t size = b->collider.collider.radius, deep = size / 16;
+  const int32_t gap =
+      any ? random_range(random, -size, size) : random_range(random, random_below(random, 2) == 0 ? -deep : -3, 3);
+  const double by = gap - (double)d.distance;
   gjk_vec3 *position = &b->shape.pose.position;
   position->x += scaled(1, by * d.normal.x / GJK_Q30_ONE);
   position->y += scaled(1, by * d.normal.y / GJK_Q30_ONE);
@@ -127,7 +147,16 @@ static bool make_pair(random_state *random, case_kind kind_a, case_kind kind_b, 
   if (random_below(random, 3) == 0) {
     beside(random, a, b);
   }
-  return build(b) && approach(random, a, b);
+  return build(b) && approach(random, a, b, false);
+}
+
+// Bars that lean from each other, near or far apart, or deep in each other.
+static bool make_bars(random_state *random, case_kind kind_a, case_kind kind_b, subject *a, subject *b) {
+  const gjk_q16 reach = random_reach(random);
+  make_shape(random, kind_a, reach, a);
+  make_shape(random, kind_b, random_below(random, 2) == 0 ? reach : random_reach(random), b);
+  lean(random, a, b);
+  return build(a) && build(b) && approach(random, a, b, true);
 }
 
 // The distance of a point from the surface.
@@ -168,10 +197,14 @@ static bool check_contacts(const subject *a, const subject *b, const gjk_manifol
     raise(&t->surface, off_a > off_b ? off_a : off_b);
     const bool nearest = same_point(c->point_a, d->point_a) && same_point(c->point_b, d->point_b);
     raise(nearest ? &t->nearest_gap : &t->gap, off);
-    const long double most = !nearest ? TOLERANCE : curved ? CURVED_TOLERANCE : DEPTH_TOLERANCE;
+    const bool deep = d->intersecting && c->distance < -a->collider.collider.radius / 8;
+    const long double most = !nearest  ? TOLERANCE
+                             : !curved ? DEPTH_TOLERANCE
+                             : deep    ? DEEP_TOLERANCE
+                                       : CURVED_TOLERANCE;
     raise(nearest ? &t->nearest_aside : &t->aside, aside_of(m, c));
-    const bool good =
-        off_a <= TOLERANCE && off_b <= TOLERANCE && off <= most && aside_of(m, c) <= TOLERANCE && c->distance <= margin;
+    const bool good = off_a <= SURFACE_TOLERANCE && off_b <= SURFACE_TOLERANCE && off <= most &&
+                      aside_of(m, c) <= TOLERANCE && c->distance <= margin;
     CHECK_MSG(good, "contact %u, id %x: %.2Lf and %.2Lf off the surfaces, %.2Lf aside, %ld is off by %.2Lf, margin %ld",
               i, (unsigned)c->id, off_a, off_b, aside_of(m, c), (long)c->distance, off, (long)margin);
     right = right && good;
@@ -321,12 +354,10 @@ static bool is_large(const subject *s) {
          (!(prism || s->shape.kind == CASE_BOX) || (size->x >= 500 && size->y >= 500 && size->z >= 500)) && !triangle;
 }
 
-static bool check_pair(random_state *random, const subject *a, subject *b, tally *t) {
+static bool check_pair(random_state *random, const subject *a, subject *b, gjk_q16 margin, tally *t) {
   gjk_manifold m, few;
   gjk_distance_result d;
   const gjk_collider *p = &a->collider.collider, *q = &b->collider.collider;
-  const gjk_q16 smaller = p->radius < q->radius ? p->radius : q->radius;
-  const gjk_q16 margin = random_below(random, 2) == 0 ? random_range(random, 0, 3) : smaller / 32;
   const gjk_status status = gjk_contacts(p, q, margin, GJK_CONTACTS_MAX, NULL, &workspace, &m);
   const gjk_status measured = gjk_signed_distance(p, q, NULL, &workspace, &d);
   bool right = status == measured && (status == GJK_OK || status == GJK_ERROR_CAPACITY) &&
@@ -358,13 +389,18 @@ static bool check_pair(random_state *random, const subject *a, subject *b, tally
   return right;
 }
 
-static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, tally *all) {
+static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, bool bars, tally *all) {
   static subject a, b;
   tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (unsigned i = 0; i < PAIRS_PER_CELL; i++) {
-    const bool made = make_pair(random, kind_a, kind_b, &a, &b);
+    const bool made = bars ? make_bars(random, kind_a, kind_b, &a, &b) : make_pair(random, kind_a, kind_b, &a, &b);
     CHECK(made);
-    if (made && !check_pair(random, &a, &b, &t)) {
+    const gjk_q16 of_a = a.collider.collider.radius, of_b = b.collider.collider.radius,
+                  smaller = of_a < of_b ? of_a : of_b;
+    const gjk_q16 margin = bars                           ? random_range(random, 0, smaller)
+                           : random_below(random, 2) == 0 ? random_range(random, 0, 3)
+                                                          : smaller / 32;
+    if (made && !check_pair(random, &a, &b, margin, &t)) {
       case_pair pair = {"failed", a.shape, b.shape};
       case_print(stdout, &pair);
     }
@@ -421,13 +457,19 @@ static void test_needle(random_state *random) {
 
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
-  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  static const case_kind with_edges[] = {CASE_SEGMENT, CASE_BOX, CASE_HULL, CASE_CYLINDER, CASE_CONE};
+  enum { LONG = sizeof with_edges / sizeof *with_edges };
+  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, bars = all;
   for (int a = CASE_POINT; a <= CASE_ELLIPSOID; a++) {
     for (int b = CASE_POINT; b <= CASE_ELLIPSOID; b++) {
-      test_cell(&random, (case_kind)a, (case_kind)b, &all);
+      test_cell(&random, (case_kind)a, (case_kind)b, false, &all);
     }
   }
+  for (unsigned i = 0; i < LONG * LONG; i++) {
+    test_cell(&random, with_edges[i / LONG], with_edges[i % LONG], true, &bars);
+  }
   test_needle(&random);
+  CHECK_MSG(bars.many > PAIRS_PER_CELL || PAIRS_PER_CELL < 100, "%u bars in more than a point", bars.many);
   printf("%u in more than a point, %u reduced, %u mirrored, ids of %u of %u kept\n", all.many, all.reduced,
          all.mirrored, all.kept, all.moved);
   const bool mixed =
