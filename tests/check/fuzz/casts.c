@@ -123,7 +123,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (!polytopes) {
     return 0;
   }
-  expect(gjk_cast(&b.collider, &a.collider, &back, &reversed) == GJK_OK && reversed.hit == r.hit, "reversed");
+  // Between centres that are too far apart for a decision to be exact, each way around is right for a margin of its own.
+  const bool exactly = gjk_check_cast(&a.collider, &b.collider, &path, &r) != GJK_ERROR_UNSUPPORTED;
+  expect(gjk_cast(&b.collider, &a.collider, &back, &reversed) == GJK_OK && (reversed.hit == r.hit || !exactly),
+         "reversed");
   const bool few = count_a + count_b <= VERTICES || (count_a == 8 && count_b == 8);
   if (few && exact_cast_set(&a.collider, &b.collider, &path, &exact)) {
     expect(exact_check_cast(&exact, &r, why, sizeof why), "gjk_cast");
