@@ -1,20 +1,36 @@
 #!/bin/sh
-# Does the proof of the checker notice faults? prove-checker-faults.sh BUILD. Each fault is put into a copy of the sources,
-# and the function's proof must fail there: at an obligation, not for want of a prover or a line.
+# Does the proof of the checker notice faults? prove-checker-faults.sh BUILD [NAME...]: these alone. Each fault is put into a
+# copy of the sources, and the function's proof must fail there: at an obligation, not for want of a prover or a line.
 . tests/build/count.sh
 . tests/build/fault.sh
 LC_ALL=C.UTF-8
 export LC_ALL
 top=$1/prove-checker-faults
+shift
+chosen=" $* "
+
+# follow INSIDE OLD NEW: annotations that stand beside a line with a fault stay beside it
+follow() {
+  OLD=$2 NEW=$3 awk '
+    /^(before|after) / && (at = index($0, ENVIRON["OLD"])) != 0 {
+      $0 = substr($0, 1, at - 1) ENVIRON["NEW"] substr($0, at + length(ENVIRON["OLD"]))
+    }
+    { print }' "$1" >"$1.changed" && mv "$1.changed" "$1"
+}
 
 # fault NAME FILE FUNCTION OLD NEW: replaces literal text, which must occur once.
 fault() {
+  case $chosen in
+    '  ' | *" $1 "*) ;;
+    *) return ;;
+  esac
   copy=$top/$1
   copy_sources "$copy"
   replace_once "$copy/$2" "$4" "$5" || {
     check "$1: $2 still has '$4', once" false
     return
   }
+  follow "$copy/tests/prove/checker/inside.txt" "$4" "$5"
   (cd "$copy" && sh tests/build/prove-checker.sh build "$3") >"$copy/out" 2>&1
   check "$1: noticed" grep -qE "$6" "$copy/out"
   grep -m 2 -E "$6" "$copy/out" | sed "s/^/  $1: /"
@@ -45,7 +61,7 @@ fault base-of-other-sign $check plane_set_feature 's->base = gjk2_cross(w[0], w[
 fault radius-left-out $check line_is_clear '(-height, d, radius)' '(-height, d, 0)' "$open"
 fault support-not-asked $check plane_is_nearest ' && support(s, s->d) == s->base' '' "$open"
 fault proof-of-no-kind $check plane_is_apart 'certificate->proof != GJK2_PROOF_NEAREST || !plane_is_nearest(s, certificate)' 'certificate->proof != GJK2_PROOF_NEAREST' "$open"
-fault edge-without-foot $check plane_set_feature 'return s->base < 0 && has_foot(&w[0], &w[1]);' 'return s->base < 0;' "$open"
+fault edge-without-foot $check plane_set_feature 'return s->base < 0 && has_foot(&w[0], &w[1]);' 'return (s->base < 0);' "$open"
 fault tie-down $check plane_rounds_to 'quarter = (squared + 3) >> 2;' 'quarter = (squared + 4) >> 2;' "$open"
 fault radii-left-out $check plane_proves_distance '(uint32_t)result->distance + (uint32_t)gjk2_convex_radii(s);' '(uint32_t)result->distance;' "$open"
 frame=src/plane/gjk2_search_frame.c
