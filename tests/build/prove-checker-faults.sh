@@ -67,7 +67,7 @@ fault radii-left-out $check plane_proves_distance '(uint32_t)result->distance + 
 frame=src/plane/gjk2_search_frame.c
 fault far-is-near $frame is_long 'UINT64_C(1) << 60;' 'UINT64_C(1) << 62;' "$open"
 fault circles-touch $frame start_near '> gjk_mul32(limit, limit)' '>= gjk_mul32(limit, limit)' "$open"
-fault delta-of-other-sign $frame start_near 's->a->centre.y - s->b->centre.y;' 's->b->centre.y - s->a->centre.y;' "$open"
+fault delta-of-other-sign $frame start_near 's->a->centre.y - s->b->centre.y};' 's->b->centre.y - s->a->centre.y};' "$open"
 fault centre-of-x src/plane/gjk2_search.h gjk2_frame_is_near 'gjk_sar32(a->centre.y, 2)' 'gjk_sar32(a->centre.x, 2)' "$open"
 check=src/query/gjk_check.c
 fault long-direction $check is_separating '>= UINT64_C(1) << 62) {' '>= UINT64_C(1) << 63) {' "$open"
@@ -83,8 +83,7 @@ fault high-words-below-0 src/arith/gjk_vector_inline.h gjk_dot_sign 'top < -1 ? 
 fault low-word-of-y src/arith/gjk_vector.c gjk_dot_sign_exact 'gjk_low_balanced(n->z), v->z);' 'gjk_low_balanced(n->z), v->y);' "$open"
 fault high-word-of-y src/arith/gjk_vector.c high_bits 'z = gjk_high32(v->z);' 'z = gjk_high32(v->y);' "$open"
 fault no-direction-in-a-plane src/arith/gjk_vector.c gjk_search_direction_of_edge 'return (n.x | n.y | n.z) != 0;' 'return (n.x | n.y) != 0;' "$open"
-fault parts-swapped src/gjk/gjk_simplex.c gjk_simplex_direction 's->toward[b][a], &s->slot[b].w, s->toward[a][b], out);' \
-  's->toward[a][b], &s->slot[b].w, s->toward[b][a], out);' "$open"
+fault square-of-an-edge src/gjk/gjk_simplex.c gjk_simplex_direction 'return s->toward[a][a] != 0;' 'return s->toward[a][b] != 0;' "$open"
 fault norm-of-one-core src/gjk/gjk_frame.h gjk_frame_fill '(it->a->core_radius + it->b->core_radius));' '(it->a->core_radius + it->a->core_radius));' "$open"
 fault centre-of-y src/gjk/gjk_frame.h gjk_frame_set 'gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2)' 'gjk_sar32(a->z, 2) - gjk_sar32(b->y, 2)' "$open"
 fault offset-of-x src/gjk/gjk_frame.h gjk_frame_move 'gjk_shl32(offset.y, shift);' 'gjk_shl32(offset.x, shift);' "$open"
