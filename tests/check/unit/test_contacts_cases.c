@@ -388,9 +388,26 @@ static void test_crossing_sides(void) {
   }
 }
 
+// A bar that leans from a cylinder and overlaps it by half a unit shares the cylinder's side up to its ends, and no more: what
+// the slope makes of the overlap is no offset aside.
+static void test_leaning_sides(void) {
+  static const gjk_shape cylinder = GJK_CYLINDER(ONE, ONE), bar = GJK_CAPSULE(ONE, 4 * ONE);
+  for (int slope = -9; slope <= 9; slope++) {
+    const gjk_manifold m =
+        meet(&cylinder, origin, &bar, turned(at(ONE + HALF, 0, HALF), &axis_y, slope * GJK_ANGLE(0.01)), 8);
+    CHECK(m.count == 2 && m.feature_a == 2);
+    for (unsigned i = 0; i < m.count; i++) {
+      const gjk_vec3 *p = &m.contact[i].point_a;
+      CHECK_MSG(is_near(p->x, ONE, 1) && is_near(p->y, 0, 1) && is_near(p->z, i == 0 ? -ONE : ONE, 1), "%ld %ld %ld",
+                (long)p->x, (long)p->y, (long)p->z);
+    }
+  }
+}
+
 int main(void) {
   test_features();
   test_crossing_sides();
+  test_leaning_sides();
   test_edge_over_corner();
   test_leaning_triangle();
   test_ridge();
