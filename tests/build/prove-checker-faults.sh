@@ -88,6 +88,7 @@ fault norm-of-one-core src/gjk/gjk_frame.h gjk_frame_fill '(it->a->core_radius +
 fault centre-of-y src/gjk/gjk_frame.h gjk_frame_set 'gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2)' 'gjk_sar32(a->z, 2) - gjk_sar32(b->y, 2)' "$open"
 fault offset-of-x src/gjk/gjk_frame.h gjk_frame_move 'gjk_shl32(offset.y, shift);' 'gjk_shl32(offset.x, shift);' "$open"
 fault limit-of-x src/gjk/gjk_frame.c longer_than '(uint32_t)limit, (uint32_t)limit);' '(uint32_t)limit, (uint32_t)x);' "$open"
+fault half-too-much src/gjk/gjk_frame.c far_component '((INT64_C(1) << n) >> 1)' '(INT64_C(1) << n)' "$open"
 fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'

@@ -14,6 +14,7 @@
       axiom shift0: \forall integer x, n; n == 0 ==> down(x, n) == x;
       axiom shift1: \forall integer x; 2 * down(x, 1) <= x < 2 * down(x, 1) + 2;
       axiom shift2: \forall integer x; 4 * down(x, 2) <= x < 4 * down(x, 2) + 4;
+      axiom shift3: \forall integer x; 8 * down(x, 3) <= x < 8 * down(x, 3) + 8;
       axiom shift16: \forall integer x; 0x10000 * down(x, 16) <= x < 0x10000 * down(x, 16) + 0x10000;
       axiom shift27: \forall integer x; 0x8000000 * down(x, 27) <= x < 0x8000000 * down(x, 27) + 0x8000000;
       axiom shift31: \forall integer x; 0x80000000 * down(x, 31) <= x < 0x80000000 * down(x, 31) + 0x80000000;

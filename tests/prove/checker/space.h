@@ -614,12 +614,16 @@ static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate);
 static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius);
 
 // The frame.
+#define WITHIN(v, n, r) \
+  (-(r) <= down((v)->x, n) <= (r) && -(r) <= down((v)->y, n) <= (r) && -(r) <= down((v)->z, n) <= (r))
+
 /*@ requires \valid_read(v) && n <= 3 && 0 <= r < 0x200000000;
     requires -0x100000000 <= v->x <= 0x100000000 && -0x100000000 <= v->y <= 0x100000000 && -0x100000000 <= v->z <= 0x100000000;
     assigns \nothing;
     ensures \result == 0 || \result == 1;
     ensures n == 0 && \result == 1 ==> spheres_apart(XYZ(*v), r);
-    ensures n == 0 && \result == 0 && r < 0x80000000 ==> in_ball(XYZ(*v), r); */
+    ensures n == 0 && \result == 0 && r < 0x80000000 ==> in_ball(XYZ(*v), r);
+    ensures \result == 0 ==> WITHIN(v, n, r); */
 static bool longer_than(const gjk_long3 *v, unsigned n, int64_t r);
 
 /*@ requires \valid_read(delta);
@@ -627,11 +631,14 @@ static bool longer_than(const gjk_long3 *v, unsigned n, int64_t r);
       -0x100000000 <= delta->z <= 0x100000000;
     assigns \nothing;
     ensures -3 <= \result <= 0;
-    ensures \result == 0 ==> in_ball(XYZ(*delta), 0x40000000); */
+    ensures \result == 0 ==> in_ball(XYZ(*delta), 0x40000000);
+    ensures WITHIN(delta, -\result, 0x40000000); */
 static int far_shift(const gjk_long3 *delta);
 
-/*@ assigns \nothing;
-    ensures shift == 0 && -0x80000000 <= difference <= 0x7fffffff ==> \result == difference; */
+/*@ requires -3 <= shift <= 0 && -0x200000000 <= difference <= 0x200000000;
+    requires -REACH <= down(difference, -shift) && down(difference, -shift) + (shift == 0 ? 0 : 1) <= REACH;
+    assigns \nothing;
+    ensures shift == 0 ==> \result == difference; */
 static int32_t far_component(int64_t difference, int shift);
 
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
