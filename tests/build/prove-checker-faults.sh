@@ -67,6 +67,8 @@ fault radii-left-out $check plane_proves_distance '(uint32_t)result->distance + 
 frame=src/plane/gjk2_search_frame.c
 fault far-is-near $frame is_long 'UINT64_C(1) << 60;' 'UINT64_C(1) << 62;' "$open"
 fault circles-touch $frame start_near '> gjk_mul32(limit, limit)' '>= gjk_mul32(limit, limit)' "$open"
+fault far-circles-touch $frame start_far 'gjk_umul32((uint32_t)uy, (uint32_t)uy) >' \
+  'gjk_umul32((uint32_t)uy, (uint32_t)uy) >=' "$open"
 fault delta-of-other-sign $frame start_near 's->a->centre.y - s->b->centre.y};' 's->b->centre.y - s->a->centre.y};' "$open"
 fault centre-of-x src/plane/gjk2_search.h gjk2_frame_is_near 'gjk_sar32(a->centre.y, 2)' 'gjk_sar32(a->centre.x, 2)' "$open"
 check=src/query/gjk_check.c

@@ -35,6 +35,7 @@
       axiom above27: \forall integer x; (x & -0x8000000) == 0x8000000 * down(x, 27);
       axiom upper27: \forall integer x; 0 <= x < 0x100000000 ==> (x & 0xf8000000) == 0x8000000 * down(x, 27);
       axiom above31: \forall integer x; 0 <= x < 0x10000000000000000 ==> (x & 0xffffffff80000000) == 0x80000000 * down(x, 31);
+      axiom from31: \forall integer x; (x & -0x80000000) == 0x80000000 * down(x, 31);
       axiom bit31: \forall integer x; 0 <= x < 0x100000000 ==> ((x & 0x80000000) == 0 <==> x < 0x80000000);
       axiom or16: \forall integer x, y;
         0 <= x == 0x10000 * down(x, 16) && 0 <= y < 0x10000 ==> (x | y) == x + y && (y | x) == x + y;
