@@ -172,7 +172,11 @@ static const char *check_contact(const subject *s, const gjk_manifold *m, unsign
   }
   const double gap = along_normal(m, c);
   snprintf(s->why, s->n, "contact %u at %ld, its points %.3f apart", i, (long)c->distance, gap);
-  const double slack = !s->certain ? 5.001 : same_point(&c->point_a, &s->depth.point_a) ? 3.001 : 2.001;
+  // Points of a curved depth lie between its bounds, which are at most 6 apart.
+  const double between = s->depth.intersecting ? (double)s->depth.upper - s->depth.lower : 0;
+  const double slack = !s->certain                                  ? fmax(5.001, 3.001 + between)
+                       : same_point(&c->point_a, &s->depth.point_a) ? 3.001
+                                                                    : 2.001;
   if (fabs(gap - c->distance) > slack + fabs(gap) / (1 << 28)) {
     return "gap of a contact";
   }
