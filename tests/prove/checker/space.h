@@ -134,7 +134,9 @@
 /*@ predicate framed(integer x, integer y, integer z, integer c, integer f, integer dx, integer dy, integer dz) =
       1 <= f && dx == f * x && dy == f * y && dz == f * z && 0 <= f * c <= 0x3fffffff &&
       in_ball(dx, dy, dz, 0x40000000) && in_ball(dx, dy, dz, REACH - f * c); */
-/*@ lemma framed_one: \forall integer x, y, z, c;
+/*@ predicate room_one(integer c) = 0x40000000 * 0x40000000 <= (REACH - c) * (REACH - c);
+    lemma room_one: \forall integer c; 0 <= c <= 0x20000000 ==> room_one(c);
+    lemma framed_one: \forall integer x, y, z, c;
       0 <= c <= 0x20000000 && in_ball(x, y, z, 0x40000000) ==> framed(x, y, z, c, 1, x, y, z); */
 #define CORES(a, b) ((a)->core_radius + (b)->core_radius)
 
