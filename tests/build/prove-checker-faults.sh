@@ -89,6 +89,8 @@ fault square-of-an-edge src/gjk/gjk_simplex.c gjk_simplex_direction 'return s->t
 fault norm-of-one-core src/gjk/gjk_frame.h gjk_frame_fill '(it->a->core_radius + it->b->core_radius));' '(it->a->core_radius + it->a->core_radius));' "$open"
 fault centre-of-y src/gjk/gjk_frame.h gjk_frame_set 'gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2)' 'gjk_sar32(a->z, 2) - gjk_sar32(b->y, 2)' "$open"
 fault offset-of-x src/gjk/gjk_frame.h gjk_frame_move 'gjk_shl32(offset.y, shift);' 'gjk_shl32(offset.x, shift);' "$open"
+fault digit-of-x src/arith/gjk_wide.c gjk_u192_multiply 'y->limb[j]) + out->limb[i + j];' 'x->limb[j]) + out->limb[i + j];' "$open"
+fault near-at-twice src/gjk/gjk_iteration.c gjk_iteration_near '(uint64_t)it->radius * 2)' '(uint64_t)it->radius * 4)' "$open"
 fault limit-of-x src/gjk/gjk_frame.c longer_than '(uint32_t)limit, (uint32_t)limit);' '(uint32_t)limit, (uint32_t)x);' "$open"
 fault half-too-much src/gjk/gjk_frame.c far_component '((INT64_C(1) << n) >> 1)' '(INT64_C(1) << n)' "$open"
 fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"

@@ -19,6 +19,7 @@
       axiom shift27: \forall integer x; 0x8000000 * down(x, 27) <= x < 0x8000000 * down(x, 27) + 0x8000000;
       axiom shift31: \forall integer x; 0x80000000 * down(x, 31) <= x < 0x80000000 * down(x, 31) + 0x80000000;
       axiom shift32: \forall integer x; 0x100000000 * down(x, 32) <= x < 0x100000000 * down(x, 32) + 0x100000000;
+      axiom shift33: \forall integer x; 0x200000000 * down(x, 33) <= x < 0x200000000 * down(x, 33) + 0x200000000;
       axiom shift62: \forall integer x;
         0x4000000000000000 * down(x, 62) <= x < 0x4000000000000000 * down(x, 62) + 0x4000000000000000;
       axiom shift63: \forall integer x;
@@ -41,10 +42,13 @@
         0 <= x == 0x10000 * down(x, 16) && 0 <= y < 0x10000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or31: \forall integer x, y;
         0 <= x == 0x80000000 * down(x, 31) && 0 <= y < 0x80000000 ==> (x | y) == x + y && (y | x) == x + y;
+      axiom or31_above: \forall integer x, y;
+        0 <= x < 0x80000000 && 0 <= y == 0x80000000 * down(y, 31) ==> (x | y) == x + y;
       axiom or32: \forall integer x, y;
         0 <= x == 0x100000000 * down(x, 32) && 0 <= y < 0x100000000 ==> (x | y) == x + y && (y | x) == x + y;
       axiom or62: \forall integer x, y;
         0 <= x == 0x4000000000000000 * down(x, 62) && 0 <= y < 0x4000000000000000 ==> (x | y) == x + y && (y | x) == x + y;
+      axiom complement: \forall integer x; (~x) == -1 - x;
       axiom xor_sign: \forall integer x, y; (y == 0 ==> (x ^ y) == x) && (y == -1 ==> (x ^ y) == -1 - x);
       axiom sign_xor: \forall integer x, y; (x == 0 ==> (x ^ y) == y) && (x == -1 ==> (x ^ y) == -1 - y);
       axiom or_least: \forall integer x, y; 0 <= x && 0 <= y ==> (x | y) >= x && (x | y) >= y;

@@ -1,5 +1,6 @@
 // The decision checker of space with what it calls, as it is shipped, under the contracts of space.h.
 #include "space.h"
+#include "measure.h"
 #include "src/gjk/gjk_frame.c"
 #include "src/gjk/gjk_iteration.c"
 #include "src/gjk/gjk_simplex.c"
