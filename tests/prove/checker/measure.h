@@ -7,7 +7,6 @@
 
 #define BELOW190(x) ((x) < 0x400000000000000000000000000000000000000000000000)
 #define BIG94 0x400000000000000000000000
-#define LOW31(x) ((x)-0x80000000 * down(x, 31))
 
 /*@ predicate tight(integer a, integer b, integer c) = a + b + c <= 0xB0000000;
     predicate tight3(integer x, integer y, integer z) = tight(size(x), size(y), size(z));
