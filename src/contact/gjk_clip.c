@@ -123,11 +123,11 @@ static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16
   candidate->id = id;
 }
 
-// step . a->direction, to the nearest LSB. Pre: step leads between points of the shapes.
+// v . a->direction, to the nearest LSB. Pre: |v| < 2^31, as it is for steps between points of the shapes:
 //   centres   at most sqrt(3) 2^29 apart
-//   radii     at most 2^28 each:              |step| < 2^31
-static gjk_q16 gap_along(const clip *c, const gjk_vec3 *step) {
-  return (gjk_q16)gjk_sar64(gjk_dot(step, &c->a->direction) + (INT64_C(1) << 29), 30);
+//   radii     at most 2^28 each
+static gjk_q16 gap_along(const clip *c, const gjk_vec3 *v) {
+  return (gjk_q16)gjk_sar64(gjk_dot(v, &c->a->direction) + (INT64_C(1) << 29), 30);
 }
 
 // The normal of the line from corner k, towards the inside. Scaling leaves its signs, and lets high words settle most
@@ -484,6 +484,14 @@ static gjk_vec3 point_at(const edge_span *e, int64_t x) {
   return interpolate(&corner[e->first], &corner[1 - e->first], &before, &behind);
 }
 
+// v as seen along the direction: without gap_along of it, which *gap tells.
+static gjk_vec3 seen_along(const clip *c, const gjk_vec3 *v, gjk_q16 *gap) {
+  gjk_vec3 way;
+  *gap = gap_along(c, v);
+  gjk_scaled(&c->a->direction, *gap, 30, &way);
+  return gjk_sub(*v, way);
+}
+
 // A point on each edge, across from each other.
 typedef struct opposite_pair {
   gjk_vec3 a, b;
@@ -501,15 +509,11 @@ static bool stays_on(const gjk_polygon *edge, const gjk_vec3 *aside) {
 // Step 7: finds the points at x. False: they are too far aside of each other.
 static bool find_opposite(const clip *c, const edge_span *a, const edge_span *b, int64_t x, opposite_pair *out) {
   const gjk_vec3 on_a = point_at(a, x), on_b = point_at(b, x), step = gjk_sub(on_b, on_a);
-  const gjk_q16 gap = gap_along(c, &step);
-  gjk_vec3 way;
-  gjk_scaled(&c->a->direction, gap, 30, &way);
-  const gjk_vec3 aside = gjk_sub(step, way);
+  const gjk_vec3 aside = seen_along(c, &step, &out->gap);
   const gjk_q16 radius = c->a->radius < c->b->radius ? c->a->radius : c->b->radius;
   const int64_t squared = gjk_dot(&aside, &aside);
   out->a = on_a;
   out->b = on_b;
-  out->gap = gap;
   out->id = gjk_contact_id(feature_at(c, c->a, &on_a, GJK_FEATURE_EDGE), feature_at(c, c->b, &on_b, GJK_FEATURE_EDGE));
   if (squared <= ASIDE_SQUARED) {
     return true;
@@ -526,11 +530,10 @@ static bool find_opposite(const clip *c, const edge_span *a, const edge_span *b,
 // across from each other, at any gap and however the edges lean. As long as 30 bits allow: what rounding leaves of the
 // direction moves points by at most 2^-29 of the gap.
 static gjk_vec3 common_way(const clip *c, const gjk_vec3 *e, const gjk_vec3 *f) {
-  const gjk_vec3 sum = gjk_add(*e, *f), way = gjk_scale_direction(&sum);  // not 0: neither edge is
-  const int32_t lean = (int32_t)gjk_sar64(gjk_dot(&way, &c->a->direction) + (INT64_C(1) << 29), 30);
-  gjk_vec3 leaning;
-  gjk_scaled(&c->a->direction, lean, 30, &leaning);
-  return gjk_sub(way, leaning);
+  // The sum is not 0: neither edge is. |way| <= sqrt(3) 2^30.
+  const gjk_vec3 sum = gjk_add(*e, *f), way = gjk_scale_direction(&sum);
+  gjk_q16 lean;
+  return seen_along(c, &way, &lean);
 }
 
 // Steps 6 and 7: the intervals lie along the edges' common way.

@@ -3,9 +3,10 @@
 # casts, the plane, its ground, arms, gjk-convert and its reader of robots with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
-# The seconds are shared out evenly. 3000x in their place: as many inputs for each target. SEED 0 is a new one each time. Runs begin with inputs that once failed
-# (tests/check/fuzz/once) and with those that reached new code before, which are kept in BUILD/fuzz/corpus. An input
-# that fails is kept in BUILD/fuzz and printed, a pair also as a case for build/gjk-query. The exit status is 1 then.
+# The seconds are shared out evenly. 3000x in their place: as many inputs for each target. SEED 0 is a new one each time.
+# Runs begin with inputs that once failed (tests/check/fuzz/once) and with those that reached new code before, which are
+# kept in BUILD/fuzz/corpus. An input that fails is kept in BUILD/fuzz and printed, a pair also as a case for
+# build/gjk-query. The exit status is 1 then.
 . tests/build/count.sh
 build=$1/fuzz
 amount=$2
