@@ -14,6 +14,6 @@
 // tests/check/target/golden.h holds hashes of answers for it.
 //
 // Scene blocks have a version of their own, GJK_SCENE_BLOCK_VERSION of gjk/scene.h.
-#define GJK_BITS_VERSION 5
+#define GJK_BITS_VERSION 6
 
 #endif

@@ -40,8 +40,9 @@ static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
   return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;
 }
 
-// Scans along n, exactly, into the free slot. it->direction is n, rounded. Is the support strictly beyond the plane across n through w?
-static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3 *w) {
+// Scans along n into the free slot: exactly, or along it->direction, which is n, rounded. Is the support strictly beyond the
+// plane across n through w?
+static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3 *w, bool exactly) {
   gjk_support b;
   const gjk_vertex *v = gjk_simplex_free(&it->simplex);
   gjk_iteration_next(it, &b);
@@ -54,7 +55,7 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   direction.spanning = 3;
   direction.opposite = false;
   direction.level = NULL;
-  if (it->direction.exact || !gjk_iteration_refine(it, &direction, &b)) {
+  if (!exactly || it->direction.exact || !gjk_iteration_refine(it, &direction, &b)) {
     return false;
   }
   step = gjk_sub(v->w, *w);
@@ -131,7 +132,7 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
     simplex_normal(s, &n);
     gjk_search_direction_of(&n, &it->direction);
     ++*iterations;
-    if (GJK_SHAPES <= GJK_SHAPES_BOXES || !support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
+    if (GJK_SHAPES <= GJK_SHAPES_BOXES || !support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w, true)) {
       take_triangle(it, facet);
       *outcome = GJK_EPA_FACET;
       return false;
@@ -144,6 +145,15 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
 // An upper bound of the depth, by the support w along it->direction.
 static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
   return gjk_depth_across(it, w) + curved_error(it);
+}
+
+// The same by a support scan into the free slot. The scan is along it->direction as it is: a support along the normal that
+// it was rounded from reaches less far along it, by up to 1 LSB.
+static gjk_q16 scan_upper_bound(gjk_iteration *it, uint16_t *iterations) {
+  gjk_support b;
+  ++*iterations;
+  gjk_iteration_next(it, &b);
+  return upper_bound(it, &gjk_simplex_free(&it->simplex)->w);
 }
 
 // Offers the face of these corners as a candidate; it->direction is its outward normal. bound: see gjk_facet_consider.
@@ -204,9 +214,7 @@ static gjk_epa_outcome bound_depth_by_hull(gjk_iteration *it, const gjk_epa_hull
   gjk_search_direction_of(&n, &it->direction);
   gjk_simplex_clear(&it->simplex);
   facet->set = false;
-  ++*iterations;
-  support_beyond(it, &n, gjk_epa_hull_vertex(p, face->corner[0]));
-  offer_face(it, p, face->corner, upper_bound(it, &it->simplex.slot[0].w), facet);
+  offer_face(it, p, face->corner, scan_upper_bound(it, iterations), facet);
   return GJK_EPA_FULL;
 }
 
@@ -263,7 +271,7 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
     gjk_simplex_clear(&it->simplex);
     facet->set = false;
     ++*iterations;
-    const bool beyond = support_beyond(it, &n, w);
+    const bool beyond = support_beyond(it, &n, w, !curved);  // the support of a curved pair bounds the depth too
     const uint32_t reached = curved ? gjk_height(&it->direction.d, &support->w) : 0;
     if (reached <= least.reached) {
       least.reached = reached;
@@ -277,17 +285,13 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
       offer_face(it, p, face->corner, curved ? upper_bound(it, &support->w) : -1, facet);
       face->height_key = GJK_HEIGHT_KEY_SETTLED;
     } else if (!gjk_epa_hull_add(p, lowest, support)) {
-      if (!curved && !gjk_facet_may_improve(facet, it->shift, key)) {  // the depth is found all the same
-        *lower = least_depth(it, facet);
-        return GJK_EPA_FACET;
-      }
       return bound_depth_by_hull(it, p, &least, facet, lower, iterations);
     }
   }
 }
 
 // Step 2 without room for a hull: bounds the depth by the support beyond one face of the tetrahedron.
-static void bound_depth_by_tetrahedron(gjk_iteration *it, gjk_facet *facet) {
+static gjk_epa_outcome bound_depth_by_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *iterations) {
   gjk_simplex *s = &it->simplex;
   gjk_vertex corner[3];
   gjk_long3 n;
@@ -301,13 +305,13 @@ static void bound_depth_by_tetrahedron(gjk_iteration *it, gjk_facet *facet) {
   n.z = -n.z;
   s->count = 3;
   gjk_search_direction_of(&n, &it->direction);
-  support_beyond(it, &n, &corner[0].w);
-  const gjk_q16 reached = upper_bound(it, &gjk_simplex_free(s)->w);
+  const gjk_q16 reached = scan_upper_bound(it, iterations);
   for (int i = 0; i < 3; i++) {
     s->slot[i] = corner[i];
   }
   gjk_simplex_set(s, 3);
   gjk_facet_consider(facet, it, true, reached);
+  return GJK_EPA_FULL;
 }
 
 gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_facet *facet, gjk_q16 *lower,
@@ -321,9 +325,7 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
     return outcome;
   }
   if (!gjk_epa_hull_start(&p, workspace, &it->simplex, gjk_pair_is_curved(it))) {
-    ++*iterations;
-    bound_depth_by_tetrahedron(it, facet);
-    return GJK_EPA_FULL;
+    return bound_depth_by_tetrahedron(it, facet, iterations);
   }
   outcome = expand(it, &p, facet, lower, iterations);
   //@ assert facet->found;
@@ -331,5 +333,5 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
   if (*lower > facet->depth) {
     *lower = least_depth(it, facet);
   }
-  return *lower == facet->depth ? GJK_EPA_FACET : outcome;
+  return outcome;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "exact/depth.h"
+#include "parts_answers.h"
 
 // Enough for the product of the vertices of the largest hulls, and for most curved pairs.
 #define CELLS GJK_EPA_CELLS(24 * 24)
@@ -86,7 +87,9 @@ static const char *check_small(const subject *s, uint32_t count) {
   const gjk_status status = gjk_penetration(s->a, s->b, NULL, &small, &r);
   free(small.cells);
   if (status != GJK_ERROR_CAPACITY) {
-    return !is_answer(s, status) ? "status with few cells" : !same_depth(s, &r) ? "depth with few cells" : NULL;
+    return !is_answer(s, status)                                                         ? "status with few cells"
+           : status == GJK_OK && s->status == GJK_OK && !same_penetration(&s->depth, &r) ? "depth with few cells"
+                                                                                         : NULL;
   }
   snprintf(s->why, s->n, "%ld to %ld, depth %ld", (long)r.lower, (long)r.upper, (long)s->depth.depth);
   const gjk_q16 slack = s->certain ? 0 : CURVED_APART;

@@ -12,8 +12,8 @@
 
 // A changed bit is a changed contract: raise GJK_BITS_VERSION with this, and say why in the commit. The host's golden
 // program prints the line to put here.
-#if GJK_BITS_VERSION != 5
-#error "the golden hash is that of GJK_BITS_VERSION 5: replace it"
+#if GJK_BITS_VERSION != 6
+#error "the golden hash is that of GJK_BITS_VERSION 6: replace it"
 #endif
 #define CONCAVE_GOLDEN_MANY_HASH UINT64_C(0x7e00698d04f8f9a7)
 #define CONCAVE_GOLDEN_HASH UINT64_C(0xb08740cd88e3bda9)
