@@ -123,14 +123,13 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
   return GJK_OK;
 }
 
-// Poses a body's collider for a pose of the body. Out of line, as next_x, so that their stack is not that of distances too.
-GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_composer *compose, const gjk_pose *body) {
+// Poses a body's collider for a pose of the body. It fails for a body of parts that are not as they were built.
+// Out of line, as next_x, so that their stack is not that of distances too.
+GJK_OUT_OF_LINE static gjk_status pose_mover(gjk_mover *m, gjk_composer *compose, const gjk_pose *body) {
   gjk_pose own;
   gjk_set(&body->position, &m->place);
-  if (m->own != NULL) {
-    (void)compose(body, m->own, &own);  // in range, since the arm is
-  }
-  (void)gjk_collider_pose(&m->collider, m->own != NULL ? &own : body);
+  const gjk_status status = m->own != NULL ? compose(body, m->own, &own) : GJK_OK;
+  return status == GJK_OK ? gjk_collider_pose(&m->collider, m->own != NULL ? &own : body) : status;
 }
 
 // Has the body, once posed, the same pose at a fraction? At the end of the way it has that of the motion, to the bit.
@@ -168,18 +167,17 @@ static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_
 }
 
 // The pose of a body at a fraction. measured: a distance follows, so its collider is posed as well.
-static void pose_mover_at(impact_query *of, gjk_mover *m, bool measured, gjk_pose *body) {
-  if (!stands(m, of->x)) {
-    gjk_turning_pose(m->motion, &m->turning, of->x, body);
-    if (measured) {
-      pose_mover(m, of->compose, body);
-    }
+static gjk_status pose_mover_at(impact_query *of, gjk_mover *m, bool measured, gjk_pose *body) {
+  if (stands(m, of->x)) {
+    return GJK_OK;
   }
+  gjk_turning_pose(m->motion, &m->turning, of->x, body);
+  return measured ? pose_mover(m, of->compose, body) : GJK_OK;
 }
 
-static void pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
-  pose_mover_at(of, &of->pair.mover[0], measured, &out->pose_a);
-  pose_mover_at(of, &of->pair.mover[1], measured, &out->pose_b);
+static gjk_status pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
+  const gjk_status status = pose_mover_at(of, &of->pair.mover[0], measured, &out->pose_a);
+  return status == GJK_OK ? pose_mover_at(of, &of->pair.mover[1], measured, &out->pose_b) : status;
 }
 
 // The shapes touch at x, where they are posed.
@@ -239,8 +237,11 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   out->iterations = 0;
   for (unsigned i = 1; i <= most && of->x < GJK_Q30_ONE; i++) {
     gjk_distance_result gap;
-    pose_both(of, true, out);
-    const gjk_status status = measure_gap_of(of, &cache, &gap);  // Step 1
+    gjk_status status = pose_both(of, true, out);
+    if (status != GJK_OK) {
+      return status;
+    }
+    status = measure_gap_of(of, &cache, &gap);  // Step 1
     out->iterations = (uint8_t)i;
     if (is_hit(of, &gap)) {
       write_impact_hit(of, margin, &gap, out);
@@ -253,7 +254,7 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
       break;
     }
   }
-  pose_both(of, false, out);
+  (void)pose_both(of, false, out);
   out->lower = of->x;
   out->upper = GJK_Q30_ONE;
   return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;

@@ -130,7 +130,10 @@ cp "$build"/seeds-pairs/* "$build/seeds-arguments"
 # A robot and its pairs, without meshes.
 sed 's/<mesh filename=[^>]*>/<box size="0.1 0.1 0.2"\/>/' tests/data/robot/six.urdf >"$build/seeds-urdf/six"
 { cat "$build/seeds-urdf/six" && echo '%' && cat tests/data/robot/six.srdf; } >"$build/seeds-urdf/pairs"
-cp tests/check/fuzz/once/pairs-* "$build/seeds-pairs"
+for input in tests/check/fuzz/once/*; do
+  entry=${input##*/}
+  cp "$input" "$build/seeds-${entry%%-*}"
+done
 
 status=0
 for target in "$@"; do

@@ -41,7 +41,7 @@ static bool is_answer(const subject *s, gjk_status status) {
 }
 
 // Are both the same answer, to within what curved shapes leave open?
-static bool same_depth(const subject *s, const gjk_penetration_result *other) {
+static bool is_depth(const subject *s, const gjk_penetration_result *other) {
   const int64_t apart = magnitude((int64_t)s->depth.depth - other->depth);
   return other->intersecting == s->depth.intersecting && (!other->intersecting || apart == 0 || !s->certain);
 }
@@ -73,7 +73,7 @@ static const char *check_cache(const subject *s, gjk_cache *cache) {
   if (!is_answer(s, status)) {
     return "status of gjk_penetration with a cache";
   }
-  if (status == GJK_OK && s->status == GJK_OK && !same_depth(s, &r)) {
+  if (status == GJK_OK && s->status == GJK_OK && !is_depth(s, &r)) {
     return "gjk_penetration with a cache";
   }
   return s->certain && !exact_check_penetration(s->a, s->b, &r, s->why, s->n) ? "certificate with a cache" : NULL;

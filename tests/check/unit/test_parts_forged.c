@@ -54,6 +54,32 @@ static void test_holes(void) {
   CHECK(pair.a == GJK_PARTS_NONE && pair.b == GJK_PARTS_NONE);
 }
 
+// Parts of a compound that have changed since it was built: one that is no rotation, one out of the compound's reach.
+static void test_changed_parts(void) {
+  gjk_compound_part part = {&ball, GJK_POSE_IDENTITY};
+  const gjk_vec3 at = {GJK_Q16(3.0), 0, 0}, far = {INT32_MAX, 0, 0};
+  const gjk_collider b = posed(&ball, &still.from);
+  const gjk_motion moving = {{at, {0, 0, 0, GJK_Q30_ONE}}, GJK_POSE_IDENTITY, {0, 0, 0}};
+  const gjk_impact_setup setup = {0, GJK_PARTS_TOLERANCE_MIN, 0};
+  gjk_compound_node node;
+  gjk_compound compound;
+  CHECK(gjk_compound_build(&part, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  for (int k = 0; k < 2; k++) {
+    gjk_impact_result impact;
+    gjk_distance_result distance;
+    uint32_t number = 77;
+    memset(&impact, POISON, sizeof impact);
+    part.pose.position = k == 0 ? part.pose.position : far;
+    part.pose.rotation.w = k == 0 ? GJK_Q30_ONE / 2 : GJK_Q30_ONE;
+    const gjk_status status = k == 0 ? GJK_ERROR_ROTATION : GJK_ERROR_RANGE;
+    CHECK(gjk_parts_distance(&body, &b, &number, &distance) == (k == 0 ? status : GJK_OK));
+    number = 77;
+    CHECK(gjk_parts_time_of_impact(&body, &moving, &b, &still, &setup, &number, &impact) == status);
+    CHECK(number == 77 && is_untouched(&impact, sizeof impact));
+  }
+}
+
 static void test_nodes(void) {
   const gjk_compound_part parts[2] = {{&ball, GJK_POSE_IDENTITY}, {&ball, GJK_POSE_IDENTITY}};
   gjk_compound_node nodes[2];
@@ -218,6 +244,7 @@ static void test_arguments(void) {
 int main(void) {
   test_arguments();
   test_holes();
+  test_changed_parts();
   test_nodes();
   test_numbers();
   return check_done("parts forged");

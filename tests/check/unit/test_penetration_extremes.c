@@ -8,7 +8,6 @@
 #include "check.h"
 #include "exact/depth.h"
 #include "gjk/gjk.h"
-#include "parts_answers.h"
 #include "placed.h"
 #include "random.h"
 
@@ -210,66 +209,6 @@ static void test_widened_normals(void) {
   CHECK(refused[1] > 20);
 }
 
-// A prism turned about an axis, and tilted by a little where tilt is below 2^30.
-static gjk_quat random_tilt(random_state *random, gjk_q30 tilt) {
-  const gjk_q30 one = GJK_Q30_ONE / 4, a = random_range(random, -tilt, tilt), b = random_range(random, -tilt, tilt);
-  const gjk_quat about[4] = {
-      {one, one, a, b}, {a, one, one, b}, {one, a, b, one}, {a, b, one, (gjk_q30)random_below(random, 2)}};
-  gjk_quat out;
-  CHECK(gjk_quat_normalize(&about[random_below(random, 4)], &out) == GJK_OK);
-  return out;
-}
-
-// Prisms about a point or box, many of them flat: rounded to LSB their sides are level only to 1 LSB, so supports along a
-// normal and along the rounded normal differ. With few cells the bounds must hold the depth, and a move by the upper one
-// parts the shapes.
-static void test_few_cells(void) {
-  random_state random = random_seed(check_seed(SEED) + 4);
-  unsigned long bounds = 0, answers = 0;
-  for (int i = 0; i < PAIRS; i++) {
-    const gjk_q16 wide = INT32_C(1) << (4 + random_below(&random, 22)), least = wide >> random_below(&random, 26),
-                  thin = random_below(&random, 2) == 0 ? 0 : least, near = thin + (gjk_q16)random_below(&random, 2),
-                  middle = random_below(&random, 2) == 0 ? wide : wide / 10 * 7;
-    const gjk_vec3 corner[12] = {{thin, wide, 0},   {thin, middle, wide},    {thin, -middle, wide},
-                                 {thin, -wide, 0},  {thin, -middle, -wide},  {thin, middle, -wide},
-                                 {-thin, wide, 0},  {-thin, middle, wide},   {-thin, -middle, wide},
-                                 {-thin, -wide, 0}, {-thin, -middle, -wide}, {-thin, middle, -wide}};
-    const gjk_shape point = GJK_POINT, box = GJK_BOX(thin / 2, wide / 2, thin);
-    gjk_shape prism = GJK_HULL(corner, 12), other = random_below(&random, 4) == 0 ? box : point;
-    const gjk_quat turn = random_tilt(&random, GJK_Q30_ONE >> random_below(&random, 30)),
-                   turn_b = random_below(&random, 2) == 0 ? turn : random_turn(&random);
-    const gjk_vec3 origin = {0, 0, 0}, at = {random_range(&random, -near, near), random_range(&random, -near, near),
-                                             random_range(&random, -near, near)};
-    const gjk_pose pose = {origin, turn};
-    prism.convex_radius = random_below(&random, 2) == 0 ? 0 : 1 + (gjk_q16)random_below(&random, (uint32_t)wide);
-    show((unsigned long)i, &prism, origin, &turn, &other, at, &turn_b);
-    gjk_collider a = {0};
-    gjk_vec3 posed_corner[12];
-    CHECK(gjk_collider_init(&a, &prism, posed_corner, 12) == GJK_OK);
-    CHECK(gjk_collider_pose(&a, &pose) == GJK_OK);
-    const gjk_collider b = turned(&other, at, &turn_b);
-    gjk_penetration_result truth, r;
-    char why[200];
-    CHECK(gjk_penetration(&a, &b, NULL, &workspace, &truth) == GJK_OK);
-    CHECK(gjk_check_penetration(&a, &b, &truth) == GJK_OK);
-    bool answered = !truth.intersecting;
-    for (uint32_t count = 0; !answered && count < CELLS; count++) {
-      const gjk_workspace small = {cells, count};
-      answered = gjk_penetration(&a, &b, NULL, &small, &r) == GJK_OK;
-      bounds += !answered;
-      answers += answered;
-      CHECK_MSG(!answered || same_penetration(&r, &truth), "%lu cells", (unsigned long)count);
-      CHECK_MSG(answered || (r.lower <= truth.depth && r.upper >= truth.depth && r.depth == r.upper),
-                "%lu cells: %ld to %ld, depth %ld", (unsigned long)count, (long)r.lower, (long)r.upper,
-                (long)truth.depth);
-      CHECK_MSG(answered || exact_check_move(&a, &b, &r, why, sizeof why), "%lu cells: %s", (unsigned long)count, why);
-    }
-  }
-  printf("few cells: bounds %lu times, answers %lu\n", bounds, answers);
-  CHECK(bounds > (unsigned long)PAIRS);
-  CHECK(answers > (unsigned long)PAIRS / 2);
-}
-
 // For boxes apart it reports the distance, with a cache or without.
 static void test_signed_apart(void) {
   static const gjk_shape box = GJK_BOX(ONE, ONE, ONE);
@@ -389,7 +328,6 @@ int main(void) {
   test_walls();
   test_thin_convex_radius();
   test_widened_normals();
-  test_few_cells();
   test_signed_apart();
   test_workspaces();
   test_many_faces();

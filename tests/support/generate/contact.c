@@ -150,3 +150,43 @@ void generate_level_radius(random_state *random, case_pair *pair) {
   pair->a.convex_radius = random_range(random, 0, sum);
   pair->b.convex_radius = sum - pair->a.convex_radius;
 }
+
+// Turned about an axis, and tilted by at most 2^-tilt.
+static gjk_quat tilted_rotation(random_state *random, unsigned tilt) {
+  const gjk_q30 one = GJK_Q30_ONE / 2, most = GJK_Q30_ONE >> tilt, a = random_range(random, -most, most),
+                b = random_range(random, -most, most);
+  const gjk_quat about[4] = {{one, one, a, b}, {a, one, one, b}, {one, a, b, one}, {a, b, one, 0}};
+  gjk_quat out = about[random_below(random, 4)];
+  gjk_quat_normalize(&out, &out);
+  return out;
+}
+
+static void make_prism(random_state *random, gjk_q16 wide, gjk_q16 thin, case_shape *shape) {
+  const gjk_q16 middle = random_below(random, 2) == 0 ? wide : wide / 10 * 7;
+  const gjk_vec3 side[6] = {{thin, wide, 0},  {thin, middle, wide},   {thin, -middle, wide},
+                            {thin, -wide, 0}, {thin, -middle, -wide}, {thin, middle, -wide}};
+  shape->kind = CASE_HULL;
+  case_shape_set_count(shape, thin == 0 ? 6 : 12);
+  for (size_t i = 0; i < shape->count; i++) {
+    shape->vertices[i] = side[i % 6];
+    shape->vertices[i].x *= i < 6 ? 1 : -1;
+  }
+  shape->convex_radius = random_below(random, 2) == 0 ? 0 : random_range(random, 1, wide);
+}
+
+void generate_tilted(random_state *random, case_pair *pair) {
+  const gjk_q16 wide = generate_reach(random) / 4 + 16, least = wide >> random_below(random, 26),
+                thin = random_below(random, 2) == 0 ? 0 : least, near = thin + (gjk_q16)random_below(random, 2);
+  gjk_vec3 *p = &pair->b.pose.position;
+  make_prism(random, wide, thin, &pair->a);
+  pair->a.pose.rotation = tilted_rotation(random, random_below(random, 30));
+  if (random_below(random, 2) == 0) {
+    make_prism(random, wide, thin, &pair->b);
+    pair->b.pose.rotation = tilted_rotation(random, random_below(random, 30));
+  } else {
+    generate_polytope(random, generate_kind(random), wide, &pair->b);
+  }
+  p->x = random_range(random, -near, near);
+  p->y = random_range(random, -near, near);
+  p->z = random_range(random, -near, near);
+}

@@ -21,6 +21,10 @@ void generate_lattice(random_state *random, case_pair *pair);
 // it.
 void generate_flat(random_state *random, case_pair *pair);
 
+// A prism, often flat, a little tilted, with its like or another polytope at its centre. Rounded to LSB its sides are level
+// only to 1 LSB: supports along a normal and along the rounded normal differ.
+void generate_tilted(random_state *random, case_pair *pair);
+
 // The cores are as far apart as the sum of the convex radii, exactly, or one coordinate is an LSB off that.
 void generate_level_radius(random_state *random, case_pair *pair);
 

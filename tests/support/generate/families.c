@@ -155,6 +155,7 @@ const generate_family generate_families[] = {
     {.name = "shared-feature", .generate = generate_shared_feature, .least = 20, .most = 80},
     {.name = "lattice", .generate = generate_lattice, .least = 20, .most = 80},
     {.name = "flat", .generate = generate_flat, .least = 10, .most = 80},
+    {.name = "tilted", .generate = generate_tilted, .least = 60, .most = 100},
     {.name = "level-radius", .generate = generate_level_radius, .least = 30, .most = 70, .near = 2},
     {.name = "smallest-face-vertex", .generate = generate_smallest_face_vertex, .least = 30, .most = 75, .near = 1},
     {.name = "smallest-face-face", .generate = generate_smallest_face_face, .least = 30, .most = 75, .near = 1},

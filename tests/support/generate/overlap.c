@@ -230,6 +230,7 @@ const generate_family generate_overlaps[] = {
     {.name = "flush-boxes", .generate = flush_boxes, .least = 80, .most = 100},
     {.name = "duplicates", .generate = duplicates, .least = 50, .most = 100},
     {.name = "flat", .generate = generate_flat, .least = 10, .most = 80},
+    {.name = "tilted", .generate = generate_tilted, .least = 60, .most = 100},
     {.name = "outermost", .generate = outermost, .least = 70, .most = 100},
 };
 const unsigned generate_overlap_count = sizeof generate_overlaps / sizeof generate_overlaps[0];
