@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact.h"
 #include "exact/cast.h"
 #include "place.h"
 #include "polytope.h"
@@ -453,6 +454,22 @@ static void coplanar(random_state *random, case_pair *pair) {
   close(&t);
 }
 
+// The pairs of generate_tilted, past each other or straight at each other.
+static void tilted(random_state *random, case_pair *pair) {
+  const gjk_vec3 origin = {0, 0, 0};
+  generate_tilted(random, pair);
+  pair->b.pose.position = origin;
+  pair->a.convex_radius = pair->b.convex_radius = 0;
+  if (pair->b.kind == CASE_HULL && pair->b.count > 12) {
+    make_box(random, any_reach(random), &pair->b);
+  }
+  if (random_below(random, 2) == 0) {
+    come_at(random, pair);
+  } else {
+    graze(random, pair, random_below(random, 2) == 0, random_below(random, 2) == 0);
+  }
+}
+
 static void no_motion(random_state *random, case_pair *pair) {
   start_touch(random, pair);
   pair->b.end.position = pair->b.pose.position;
@@ -594,6 +611,7 @@ const generate_cast_family generate_cast_families[] = {
     {.name = "start_overlap", .generate = start_overlap, .least = 50, .most = 100, .inside = 50},
     {.name = "degenerate", .generate = degenerate, .least = 20, .most = 98, .inside = 10},
     {.name = "coplanar", .generate = coplanar, .least = 20, .most = 98},
+    {.name = "tilted", .generate = tilted, .least = 20, .most = 98},
     {.name = "no_motion", .generate = no_motion, .least = 20, .most = 98, .inside = 20},
     {.name = "end_touch", .generate = end_touch, .least = 30, .most = 98},
     {.name = "lattice", .generate = lattice, .least = 10, .most = 80, .inside = 3},
