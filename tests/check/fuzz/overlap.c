@@ -42,8 +42,8 @@ static bool is_answer(const subject *s, gjk_status status) {
 
 // Are both the same answer, to within what curved shapes leave open?
 static bool is_depth(const subject *s, const gjk_penetration_result *other) {
-  const int64_t apart = magnitude((int64_t)s->depth.depth - other->depth);
-  return other->intersecting == s->depth.intersecting && (!other->intersecting || apart == 0 || !s->certain);
+  return other->intersecting == s->depth.intersecting &&
+         (!other->intersecting || s->depth.depth == other->depth || !s->certain);
 }
 
 static const char *check_depth(subject *s) {
