@@ -275,6 +275,24 @@ void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out);
 bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta,
                                   gjk_search_direction *out);
 
+// The exact direction from a feature to the origin, or its opposite: a component of it.
+/*@ logic integer way(integer opposite, integer count, integer a, integer tb, integer b, integer ta, integer n) =
+      opposite == 0 ? (count == 3 ? n : count == 1 ? -a : -(a * tb + b * ta)) :
+      (count == 3 ? -n : count == 1 ? a : a * tb + b * ta); */
+#define WAY_X(g, o) way(o, (g)->spanning, (g)->a->x, (g)->tb, (g)->b->x, (g)->ta, (g)->n->x)
+#define WAY_Y(g, o) way(o, (g)->spanning, (g)->a->y, (g)->tb, (g)->b->y, (g)->ta, (g)->n->y)
+#define WAY_Z(g, o) way(o, (g)->spanning, (g)->a->z, (g)->tb, (g)->b->z, (g)->ta, (g)->n->z)
+#define WAY(g, o) WAY_X(g, o), WAY_Y(g, o), WAY_Z(g, o)
+#define LEADS(g)                                                                                                      \
+  (1 <= (g)->spanning <= 3 && ((g)->spanning == 3 || (\valid_read((g)->a) && in_ball(XYZ(*(g)->a), REACH))) &&        \
+   ((g)->spanning != 2 || (\valid_read((g)->b) && in_ball(XYZ(*(g)->b), REACH) && PART((g)->ta) && PART((g)->tb))) && \
+   ((g)->spanning != 3 || (\valid_read((g)->n) && SMALL_LONG((g)->n))))
+
+/*@ requires \valid_read(direction) && LEADS(direction) && \valid_read(v) && in_ball(XYZ(*v), 0x20000000);
+    assigns \nothing;
+    ensures \result == SIGN(dot3(WAY(direction, direction->opposite), XYZ(*v))); */
+int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);
+
 // The checker.
 #define EXTENT 0x1200000000000000
 #define DIRECTION(d) (-REACH <= (d).x <= REACH && -REACH <= (d).y <= REACH && -REACH <= (d).z <= REACH)
