@@ -94,6 +94,12 @@ fault near-at-twice src/gjk/gjk_iteration.c gjk_iteration_near '(uint64_t)it->ra
 fault limit-of-x src/gjk/gjk_frame.c longer_than '(uint32_t)limit, (uint32_t)limit);' '(uint32_t)limit, (uint32_t)x);' "$open"
 fault half-too-much src/gjk/gjk_frame.c far_component '((INT64_C(1) << n) >> 1)' '(INT64_C(1) << n)' "$open"
 fault flat-tetrahedron src/gjk/gjk_simplex.c gjk_simplex_encloses 'low * high == 0 && low + high != 0' 'low * high == 0' "$open"
+fault way-back src/arith/gjk_vector.c gjk_direction_sign 'return direction->opposite ? side : -side;' 'return direction->opposite ? -side : side;' "$open"
+fault shares-swapped src/gjk/gjk_simplex.c gjk_simplex_exact_direction 'out->ta = s->toward[a][b];' 'out->ta = s->toward[b][a];' "$open"
+fault level-or-before $check none_before 'gjk_direction_sign(direction, &step) > 0' 'gjk_direction_sign(direction, &step) > 1' "$open"
+fault b-as-a $check is_support 'direction->opposite = true;' 'direction->opposite = false;' "$open"
+fault nearest-at-the-origin $check is_nearest 's->count == 3 && gjk_dot_sign' 's->count == 4 && gjk_dot_sign' "$open"
+fault far-at-half src/gjk/gjk_iteration.c gjk_iteration_near '(uint64_t)it->radius * 2)' '(uint64_t)it->radius)' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

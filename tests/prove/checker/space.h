@@ -1,4 +1,4 @@
-// Contracts of the decision checker of space, but for shapes that are apart by a nearest feature.
+// Contracts of the decision checker of space.
 #ifndef PROVE_CHECKER_SPACE_H
 #define PROVE_CHECKER_SPACE_H
 
@@ -134,6 +134,9 @@
 /*@ predicate framed(integer x, integer y, integer z, integer c, integer f, integer dx, integer dy, integer dz) =
       1 <= f && dx == f * x && dy == f * y && dz == f * z && 0 <= f * c <= 0x3fffffff &&
       in_ball(dx, dy, dz, 0x40000000) && in_ball(dx, dy, dz, REACH - f * c); */
+// In the frame a radius of r LSB is f r, or a lower one that no point at most f c from (x, y, z) is beyond.
+/*@ predicate radius_kept(integer radius, integer r, integer f, integer x, integer y, integer z, integer c) =
+      radius == f * r || (f * c <= radius && in_ball(x, y, z, radius - f * c)); */
 /*@ predicate room_one(integer c) = 0x40000000 * 0x40000000 <= (REACH - c) * (REACH - c);
     lemma room_one: \forall integer c; 0 <= c <= 0x20000000 ==> room_one(c);
     lemma framed_one: \forall integer x, y, z, c;
@@ -303,6 +306,28 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);
     ensures -EXTENT <= \result <= EXTENT; */
 static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d);
 
+// No vertex of the collider lies before vertex o along d; or behind it.
+/*@ predicate none_before_one(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w) = dot3(dx, dy, dz, u, v, w) <= dot3(dx, dy, dz, x, y, z);
+    predicate none_behind_one(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w) = dot3(dx, dy, dz, x, y, z) <= dot3(dx, dy, dz, u, v, w);
+    predicate none_before3(gjk_collider *c, integer dx, integer dy, integer dz, integer o) =
+      \forall integer i; 0 <= i < corners(c) ==>
+      none_before_one(dx, dy, dz, px(c, o), py(c, o), pz(c, o), px(c, i), py(c, i), pz(c, i));
+    predicate none_behind3(gjk_collider *c, integer dx, integer dy, integer dz, integer o) =
+      \forall integer i; 0 <= i < corners(c) ==>
+      none_behind_one(dx, dy, dz, px(c, o), py(c, o), pz(c, o), px(c, i), py(c, i), pz(c, i));
+    lemma turned_one: \forall integer dx, dy, dz, ex, ey, ez, x, y, z, u, v, w; ex == -dx && ey == -dy && ez == -dz &&
+      none_before_one(ex, ey, ez, x, y, z, u, v, w) ==> none_behind_one(dx, dy, dz, x, y, z, u, v, w);
+    lemma turned: \forall gjk_collider *c, integer dx, dy, dz, ex, ey, ez, o; ex == -dx && ey == -dy && ez == -dz &&
+      none_before3(c, ex, ey, ez, o) ==> none_behind3(c, dx, dy, dz, o); */
+
+/*@ requires SOLID(c) && origin < corners(c) && \valid_read(direction) && LEADS(direction);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> none_before3(c, WAY(direction, direction->opposite), origin); */
+static bool none_before(const gjk_collider *c, const gjk_direction *direction, uint16_t origin);
+
 /*@ requires \valid_read(it) && SOLID(it->a) && SOLID(it->b) && NEAR(it->a, it->b);
     requires \valid_read(direction) && 0 <= radius;
     assigns \nothing;
@@ -343,6 +368,8 @@ static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, in
       cell_holds(a, b, x, y, z, f);
     predicate near3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
       point_within(a, b, x, y, z, f, r) || edge_within(a, b, x, y, z, f, r) || face_within(a, b, x, y, z, f, r); */
+
+#define KEPT_RADIUS(it, r) radius_kept((it)->radius, r, scale((it)->shift), XYZ((it)->delta), CORES((it)->a, (it)->b))
 
 /*@ predicate radius_framed(integer radius, integer r, integer f) = 0 <= radius <= f * r;
     predicate reached3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer r) =
@@ -468,7 +495,7 @@ static void set_triangle_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned
 
 /*@ requires \valid(s) && x == 0 && y == 1 && w == 2 && ROUNDS(s, 0, 1, 2);
     assigns s->normal, s->order[0 .. 3], s->count;
-    ensures s->count == 3 && FACE(s) && SMALL_LONG(&s->normal); */
+    ensures s->count == 3 && FACE(s) && SMALL_LONG(&s->normal) && dot3(XYZ(s->normal), SLOT(s, 0)) <= 0; */
 static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w);
 
 /*@ requires \valid(s) && 1 <= n <= 3 && SPOT(s, 0);
@@ -481,7 +508,8 @@ static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w)
     ensures n < 3 ==> SQUARE(s, 0);
     ensures n == 2 ==> SQUARE(s, 1) && TOWARD(s, 0, 1) && TOWARD(s, 1, 0);
     ensures n == 2 ==> (\result == 1 <==> foot3(SLOT(s, 0), SLOT(s, 1)));
-    ensures n == 3 ==> FACE(s) && SMALL_LONG(&s->normal) && (\result == 1 <==> OF3(inside3, s, 0, 1, 2)); */
+    ensures n == 3 ==> FACE(s) && SMALL_LONG(&s->normal) && (\result == 1 <==> OF3(inside3, s, 0, 1, 2));
+    ensures n == 3 ==> dot3(XYZ(s->normal), SLOT(s, 0)) <= 0; */
 bool gjk_simplex_set(gjk_simplex *s, unsigned n);
 
 // A feature that holds the origin's foot.
@@ -573,10 +601,65 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b);
   ((n != 1 || in_ball(SLOT(s, 0), r)) && (n != 2 || near_edge3(SLOT(s, 0), SLOT(s, 1), r)) && \
    (n != 3 || near_face3(SLOT(s, 0), SLOT(s, 1), SLOT(s, 2), r)))
 
+// A feature's exact direction, and whether it points from the feature to the origin.
+#define FEATURE_X(s) \
+  way(0, (s)->count, (s)->slot[0].w.x, (s)->toward[1][0], (s)->slot[1].w.x, (s)->toward[0][1], (s)->normal.x)
+#define FEATURE_Y(s) \
+  way(0, (s)->count, (s)->slot[0].w.y, (s)->toward[1][0], (s)->slot[1].w.y, (s)->toward[0][1], (s)->normal.y)
+#define FEATURE_Z(s) \
+  way(0, (s)->count, (s)->slot[0].w.z, (s)->toward[1][0], (s)->slot[1].w.z, (s)->toward[0][1], (s)->normal.z)
+#define FEATURE(s) FEATURE_X(s), FEATURE_Y(s), FEATURE_Z(s)
+#define FRONT(s) ((s)->count != 3 || dot3(XYZ((s)->normal), SLOT(s, 0)) <= 0)
+
+/*@ predicate far_point3(integer x, integer y, integer z, integer r) =
+      norm3(x, y, z) > r * r ==> beyond3(-x, -y, -z, x, y, z, r);
+    logic integer edge_way(integer x, integer u, integer s, integer t) = -(x * t + u * s);
+    predicate edge_shares(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t) =
+      s == norm3(x, y, z) - dot3(x, y, z, u, v, w) && t == norm3(u, v, w) - dot3(x, y, z, u, v, w);
+    predicate norm_of_edge(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t) =
+      norm3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t)) ==
+      norm3(x, y, z) * t * t + 2 * dot3(x, y, z, u, v, w) * s * t + norm3(u, v, w) * s * s;
+    predicate dot_of_edge(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t) =
+      dot3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z) ==
+      -(norm3(x, y, z) * t + dot3(x, y, z, u, v, w) * s);
+    predicate gram_is(integer x, integer y, integer z, integer u, integer v, integer w, integer n) =
+      n == norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w);
+    predicate face_across(integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q) =
+      dot3(area3(v, w, y, z, t, q), area3(w, u, z, x, q, s), area3(u, v, x, y, s, t), x, y, z) ==
+      -volume3(x, y, z, u, v, w, s, t, q);
+    lemma face_across: \forall integer x, y, z, u, v, w, s, t, q; face_across(x, y, z, u, v, w, s, t, q);
+    predicate gram_of_edge(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer n) =
+      dot3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z) == -n &&
+      norm3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t)) == n * (s + t);
+    predicate far_edge3(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t,
+        integer n, integer r) = n > r * r * (s + t) ==>
+      beyond3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z, r);
+    predicate far_gram(integer n, integer d, integer r) = n > r * r * d ==> 0 < n && (- -n) * (- -n) > r * r * (n * d);
+    predicate far_height(integer g, integer h, integer r, integer d) =
+      (g == h || g == -h) && g <= 0 && h * h > r * r * d ==> g < 0 && (-g) * (-g) > r * r * d;
+    predicate far_face3(integer dx, integer dy, integer dz, integer x, integer y, integer z, integer h, integer r) =
+      (dot3(dx, dy, dz, x, y, z) == h || dot3(dx, dy, dz, x, y, z) == -h) && dot3(dx, dy, dz, x, y, z) <= 0 &&
+      h * h > r * r * norm3(dx, dy, dz) ==> beyond3(dx, dy, dz, x, y, z, r);
+    lemma far_point3: \forall integer x, y, z, r; far_point3(x, y, z, r);
+    lemma norm_of_edge: \forall integer x, y, z, u, v, w, s, t; norm_of_edge(x, y, z, u, v, w, s, t);
+    lemma dot_of_edge: \forall integer x, y, z, u, v, w, s, t; dot_of_edge(x, y, z, u, v, w, s, t);
+    lemma gram_of_edge: \forall integer x, y, z, u, v, w, s, t, n; edge_shares(x, y, z, u, v, w, s, t) &&
+      norm_of_edge(x, y, z, u, v, w, s, t) && dot_of_edge(x, y, z, u, v, w, s, t) && gram_is(x, y, z, u, v, w, n) ==>
+      gram_of_edge(x, y, z, u, v, w, s, t, n);
+    lemma far_gram: \forall integer n, d, r; 0 <= d ==> far_gram(n, d, r);
+    lemma far_edge3: \forall integer x, y, z, u, v, w, s, t, n, r;
+      gram_of_edge(x, y, z, u, v, w, s, t, n) && far_gram(n, s + t, r) ==> far_edge3(x, y, z, u, v, w, s, t, n, r);
+    lemma far_height: \forall integer g, h, r, d; 0 <= d ==> far_height(g, h, r, d);
+    lemma far_face3: \forall integer dx, dy, dz, x, y, z, h, r;
+      far_height(dot3(dx, dy, dz, x, y, z), h, r, norm3(dx, dy, dz)) ==> far_face3(dx, dy, dz, x, y, z, h, r); */
+
 /*@ requires \valid_read(it) && 0 <= it->radius && READY(&it->simplex);
     assigns \nothing;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> NEARS(&it->simplex, it->simplex.count, it->radius); */
+    ensures \result == 1 ==> NEARS(&it->simplex, it->simplex.count, it->radius);
+    ensures far: \result == 0 && FRONT(&it->simplex) ==>
+      beyond3(FEATURE(&it->simplex), SLOT(&it->simplex, 0), it->radius); */
 bool gjk_iteration_near(const gjk_iteration *it);
 
 #define CLAIM(it, c) (\valid_read(c) && \separated(it, c))
@@ -610,27 +693,130 @@ static bool proves_near(gjk_iteration *it, const gjk_certificate *certificate);
     ensures \result == 1 ==> reached3(AT(it, Old), \old(it->radius)); */
 static bool is_together(gjk_iteration *it, const gjk_certificate *certificate);
 
-// Not looked at here: what follows where the feature is the nearest one.
-/*@ requires \valid(out) && \separated(s, out);
-    assigns *out; */
+// Shapes that are apart by the nearest feature.
+/*@ requires \valid_read(s) && READY(s) && \valid(out) && \separated(s, out);
+    assigns *out;
+    ensures out->spanning == s->count && out->opposite == 0 && out->n == &s->normal;
+    ensures out->a == &s->slot[s->order[0]].w && out->b == &s->slot[s->order[1]].w;
+    ensures s->count == 2 ==> out->ta == s->toward[0][1] && out->tb == s->toward[1][0]; */
 void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out);
-/*@ assigns *direction; */
+
+/*@ requires \valid_read(it) && SOLID(it->a) && SOLID(it->b) && CLAIM(it, certificate);
+    requires \valid(direction) && LEADS(direction) && \separated(direction, it) && \separated(direction, certificate);
+    requires \separated(direction, direction->a) && \separated(direction, direction->b) && \separated(direction, direction->n);
+    requires certificate->a[0] < corners(it->a) && certificate->b[0] < corners(it->b);
+    assigns direction->opposite;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> none_before3(it->a, WAY(direction, 0), certificate->a[0]);
+    ensures \result == 1 ==> none_behind3(it->b, WAY(direction, 0), certificate->b[0]); */
 static bool is_support(const gjk_iteration *it, const gjk_certificate *certificate, gjk_direction *direction);
+
+#define APART_AT(it, L) \
+  \at(APART_X((it)->a, (it)->b), L), \at(APART_Y((it)->a, (it)->b), L), \at(APART_Z((it)->a, (it)->b), L)
+
+// No vertex of A - B, in units of which f are an LSB, lies before w along d; and w is at most f c from (x, y, z).
+/*@ predicate support_one3(integer x, integer y, integer z, integer f, integer dx, integer dy, integer dz,
+        integer wx, integer wy, integer wz, integer u, integer v, integer w, integer s, integer t, integer q) =
+      f * (dot3(dx, dy, dz, x, y, z) + dot3(dx, dy, dz, u, v, w) - dot3(dx, dy, dz, s, t, q)) <= dot3(dx, dy, dz, wx, wy, wz);
+    predicate support3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f,
+        integer dx, integer dy, integer dz, integer wx, integer wy, integer wz) =
+      \forall integer i, j; 0 <= i < corners(a) && 0 <= j < corners(b) ==>
+      support_one3(x, y, z, f, dx, dy, dz, wx, wy, wz, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j));
+    predicate placed3(integer x, integer y, integer z, integer wx, integer wy, integer wz, integer f, integer c) =
+      in_ball(wx - x, wy - y, wz - z, f * c); */
+
+/*@ predicate times_is(integer k, integer f, integer x) = k == f * x;
+    predicate sum_is(integer c, integer a, integer b) = c == a + b;
+    predicate base_one3(integer x, integer y, integer z, integer f, integer dx, integer dy, integer dz,
+        integer wx, integer wy, integer wz, integer u, integer v, integer w, integer s, integer t, integer q) =
+      f * (dot3(dx, dy, dz, x, y, z) + dot3(dx, dy, dz, u, v, w) - dot3(dx, dy, dz, s, t, q)) == dot3(dx, dy, dz, wx, wy, wz);
+    predicate base_of(integer x, integer y, integer z, integer f, integer dx, integer dy, integer dz,
+        integer u, integer v, integer w, integer s, integer t, integer q) = base_one3(x, y, z, f, dx, dy, dz,
+      seat(f * x, f, u, s), seat(f * y, f, v, t), seat(f * z, f, w, q), u, v, w, s, t, q);
+    lemma base_of: \forall integer x, y, z, f, dx, dy, dz, u, v, w, s, t, q; base_of(x, y, z, f, dx, dy, dz, u, v, w, s, t, q);
+    lemma base_joined: \forall integer x, y, z, kx, ky, kz, f, dx, dy, dz, u, v, w, s, t, q;
+      base_of(x, y, z, f, dx, dy, dz, u, v, w, s, t, q) && times_is(kx, f, x) && times_is(ky, f, y) && times_is(kz, f, z) ==>
+      base_one3(x, y, z, f, dx, dy, dz, seat(kx, f, u, s), seat(ky, f, v, t), seat(kz, f, w, q), u, v, w, s, t, q);
+    lemma base_one3: \forall integer x, y, z, kx, ky, kz, f, dx, dy, dz, u, v, w, s, t, q;
+      times_is(kx, f, x) && times_is(ky, f, y) && times_is(kz, f, z) ==>
+      base_one3(x, y, z, f, dx, dy, dz, seat(kx, f, u, s), seat(ky, f, v, t), seat(kz, f, w, q), u, v, w, s, t, q);
+    lemma support_one3: \forall integer x, y, z, f, dx, dy, dz, wx, wy, wz, u, v, w, s, t, q, ku, kv, kw, ks, kt, kq;
+      0 <= f && base_one3(x, y, z, f, dx, dy, dz, wx, wy, wz, u, v, w, s, t, q) &&
+      none_before_one(dx, dy, dz, u, v, w, ku, kv, kw) && none_behind_one(dx, dy, dz, s, t, q, ks, kt, kq) ==>
+      support_one3(x, y, z, f, dx, dy, dz, wx, wy, wz, ku, kv, kw, ks, kt, kq);
+    predicate base3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer dx, integer dy,
+        integer dz, integer wx, integer wy, integer wz, integer i, integer j) =
+      base_one3(x, y, z, f, dx, dy, dz, wx, wy, wz, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j));
+    lemma base3: \forall gjk_collider *a, *b, integer x, y, z, kx, ky, kz, f, i, j, dx, dy, dz, wx, wy, wz;
+      times_is(kx, f, x) && times_is(ky, f, y) && times_is(kz, f, z) && named3(a, b, kx, ky, kz, f, i, j, wx, wy, wz) ==>
+      base3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz, i, j);
+    lemma support3: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, dx, dy, dz, wx, wy, wz;
+      0 <= f && base3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz, i, j) &&
+      none_before3(a, dx, dy, dz, i) && none_behind3(b, dx, dy, dz, j) ==> support3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz); */
+
+/*@ predicate apart_in(integer u, integer v, integer w, integer s, integer t, integer q, integer ra, integer rb) =
+      norm3(u - s, v - t, w - q) <= (ra + rb) * (ra + rb);
+    predicate norm_apart(integer u, integer v, integer w, integer s, integer t, integer q) =
+      norm3(u - s, v - t, w - q) == norm3(u, v, w) + norm3(s, t, q) - 2 * dot3(u, v, w, s, t, q);
+    lemma norm_apart: \forall integer u, v, w, s, t, q; norm_apart(u, v, w, s, t, q);
+    lemma apart_joined: \forall integer u, v, w, s, t, q, ra, rb; norm_apart(u, v, w, s, t, q) &&
+      at_most(-dot3(u, v, w, s, t, q), ra, rb) && in_ball(u, v, w, ra) && in_ball(s, t, q, rb) ==>
+      apart_in(u, v, w, s, t, q, ra, rb);
+    lemma apart_in: \forall integer u, v, w, s, t, q, ra, rb; 0 <= ra && 0 <= rb &&
+      in_ball(u, v, w, ra) && in_ball(s, t, q, rb) ==> apart_in(u, v, w, s, t, q, ra, rb);
+    lemma placed_apart: \forall integer x, y, z, f, u, v, w, s, t, q, ra, rb, c;
+      0 <= f && apart_in(u, v, w, s, t, q, ra, rb) && sum_is(c, ra, rb) ==>
+      placed3(x, y, z, seat(x, f, u, s), seat(y, f, v, t), seat(z, f, w, q), f, c);
+    lemma placed3: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, wx, wy, wz, ra, rb, c;
+      0 <= f && named3(a, b, x, y, z, f, i, j, wx, wy, wz) && sum_is(c, ra, rb) &&
+      apart_in(px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), ra, rb) ==> placed3(x, y, z, wx, wy, wz, f, c); */
 
 /*@ requires FRAME(it) && CLAIM(it, certificate);
     assigns it->simplex;
     ensures \result == 0 || \result == 1;
     ensures it->radius == \old(it->radius);
-    ensures \result == 1 ==> READY(&it->simplex); */
+    ensures \result == 1 ==> READY(&it->simplex);
+    ensures \result == 1 ==> support3(it->a, it->b, APART_AT(it, Old), scale(\old(it->shift)), FEATURE(&it->simplex),
+      SLOT(&it->simplex, 0));
+    ensures \result == 1 ==> placed3(\old(it->delta.x), \old(it->delta.y), \old(it->delta.z), SLOT(&it->simplex, 0),
+      scale(\old(it->shift)), \old(CORES(it->a, it->b)));
+    ensures \result == 1 && it->simplex.count == 3 ==> dot3(XYZ(it->simplex.normal), SLOT(&it->simplex, 0)) < 0; */
 static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate);
 
 /*@ predicate separated_by3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer r) =
-      \exists integer dx, dy, dz; all_beyond3(a, b, x, y, z, dx, dy, dz, r); */
+      \exists integer dx, dy, dz; all_beyond3(a, b, x, y, z, dx, dy, dz, r);
+    predicate beyond_scaled(integer dx, integer dy, integer dz, integer x, integer y, integer z, integer f, integer r) =
+      beyond3(dx, dy, dz, x, y, z, f * r);
+    lemma placed_ball: \forall integer x, y, z, wx, wy, wz, f, c, s; 0 <= f * c <= s && placed3(x, y, z, wx, wy, wz, f, c) &&
+      in_ball(x, y, z, s - f * c) ==> in_ball(wx, wy, wz, s);
+    lemma not_beyond_under: \forall integer dx, dy, dz, x, y, z, s; 0 <= norm3(dx, dy, dz) && in_ball(x, y, z, s) &&
+      under(dot3(dx, dy, dz, x, y, z), norm3(dx, dy, dz), norm3(x, y, z)) ==> !beyond3(dx, dy, dz, x, y, z, s);
+    lemma not_beyond: \forall integer dx, dy, dz, x, y, z, s;
+      in_ball(x, y, z, s) ==> !beyond3(dx, dy, dz, x, y, z, s);
+    lemma beyond_kept: \forall integer dx, dy, dz, x, y, z, wx, wy, wz, s, r, f, c; 0 <= f * c &&
+      beyond3(dx, dy, dz, wx, wy, wz, s) && placed3(x, y, z, wx, wy, wz, f, c) && radius_kept(s, r, f, x, y, z, c) ==>
+      beyond_scaled(dx, dy, dz, wx, wy, wz, f, r);
+    predicate clear_one3(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w, integer s, integer t, integer q, integer r) =
+      clear3(dx, dy, dz, dot3(dx, dy, dz, x, y, z) + dot3(dx, dy, dz, u, v, w) - dot3(dx, dy, dz, s, t, q), r);
+    lemma unscaled: \forall integer f, g, dx, dy, dz, wx, wy, wz, r; 1 <= f && f * g <= dot3(dx, dy, dz, wx, wy, wz) &&
+      beyond_scaled(dx, dy, dz, wx, wy, wz, f, r) ==> clear3(dx, dy, dz, g, r);
+    lemma unscaled_one3: \forall integer x, y, z, f, dx, dy, dz, wx, wy, wz, u, v, w, s, t, q, r; 1 <= f &&
+      support_one3(x, y, z, f, dx, dy, dz, wx, wy, wz, u, v, w, s, t, q) && beyond_scaled(dx, dy, dz, wx, wy, wz, f, r) ==>
+      clear_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q, r);
+    lemma clear_one3: \forall integer dx, dy, dz, x, y, z, u, v, w, s, t, q, r;
+      clear_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q, r) ==> beyond_one3(dx, dy, dz, x, y, z, u, v, w, s, t, q, r);
+    lemma unscaled3: \forall gjk_collider *a, *b, integer x, y, z, f, dx, dy, dz, wx, wy, wz, r; 1 <= f &&
+      support3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz) && beyond_scaled(dx, dy, dz, wx, wy, wz, f, r) ==>
+      all_beyond3(a, b, x, y, z, dx, dy, dz, r);
+    lemma nearest_apart: \forall gjk_collider *a, *b, integer x, y, z, c, f, kx, ky, kz, dx, dy, dz, wx, wy, wz, s, r;
+      framed(x, y, z, c, f, kx, ky, kz) && support3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz) &&
+      placed3(kx, ky, kz, wx, wy, wz, f, c) && radius_kept(s, r, f, kx, ky, kz, c) &&
+      beyond3(dx, dy, dz, wx, wy, wz, s) ==> all_beyond3(a, b, x, y, z, dx, dy, dz, r); */
 
-/*@ requires FRAME(it) && CLAIM(it, certificate) && NEAR(it->a, it->b) && 0 <= radius;
+/*@ requires FRAME(it) && CLAIM(it, certificate) && NEAR(it->a, it->b) && 0 <= radius && KEPT_RADIUS(it, radius);
     assigns it->simplex;
-    ensures \result == 1 && certificate->proof == GJK_PROOF_DIRECTION ==>
-      separated_by3(it->a, it->b, APART(it->a, it->b), radius); */
+    ensures \result == 1 ==> separated_by3(it->a, it->b, APART_AT(it, Old), radius); */
 static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius);
 
 // The frame.
@@ -666,7 +852,8 @@ static int32_t far_component(int64_t difference, int shift);
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> SPHERES(it->a, it->b, radius);
     ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
-    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift)); */
+    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
+    ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius); */
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
 /*@ lemma short_ball: \forall integer x, y, z, r; size3(x, y, z) <= r ==> in_ball(x, y, z, r); */
@@ -675,7 +862,8 @@ bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
     requires \valid_read(delta) && \separated(it, delta) && close3(XYZ(*delta));
     assigns it->shift, it->delta, it->radius;
     ensures 0 <= it->shift <= 29 && framed(XYZ(*delta), CORES(it->a, it->b), scale(it->shift), XYZ(it->delta));
-    ensures radius_framed(it->radius, radius, scale(it->shift)); */
+    ensures radius_framed(it->radius, radius, scale(it->shift));
+    ensures KEPT_RADIUS(it, radius); */
 static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius);
 
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
@@ -683,7 +871,8 @@ static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int6
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> SPHERES(it->a, it->b, radius);
     ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
-    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift)); */
+    ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
+    ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius); */
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius);
 
 /*@ assigns \nothing; */
@@ -709,6 +898,7 @@ static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collide
     ensures \result == 1 ==> it->a == a && it->b == b;
     ensures \result == 1 && it->shift >= 0 ==> NEAR(a, b) && it->shift <= 29 && FRAMED(it);
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
+    ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius);
     ensures \result == 1 && it->stalls == \null ==> a->shape->type->stalls == \null && b->shape->type->stalls == \null; */
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
@@ -716,7 +906,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
 // What a checked decision means for the vertices; solid.v goes on from there.
 /*@ requires solid(a) && solid(b) && \valid_read(decision);
     assigns \nothing;
-    ensures no: \result == GJK_OK && decision->yes == 0 && decision->certificate.proof == GJK_PROOF_DIRECTION ==>
+    ensures no: \result == GJK_OK && decision->yes == 0 ==>
       SPHERES(a, b, RADII(a, b) + distance) || separated_by3(a, b, APART(a, b), RADII(a, b) + distance);
     ensures yes: \result == GJK_OK && decision->yes != 0 ==> together3(a, b, APART(a, b), RADII(a, b) + distance);
     ensures \result == GJK_OK ==> 0 <= distance; */
