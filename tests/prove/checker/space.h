@@ -317,6 +317,10 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d);
     predicate none_behind3(gjk_collider *c, integer dx, integer dy, integer dz, integer o) =
       \forall integer i; 0 <= i < corners(c) ==>
       none_behind_one(dx, dy, dz, px(c, o), py(c, o), pz(c, o), px(c, i), py(c, i), pz(c, i));
+    predicate dot_apart(integer dx, integer dy, integer dz, integer x, integer y, integer z,
+        integer u, integer v, integer w) =
+      dot3(dx, dy, dz, u - x, v - y, w - z) == dot3(dx, dy, dz, u, v, w) - dot3(dx, dy, dz, x, y, z);
+    lemma dot_apart: \forall integer dx, dy, dz, x, y, z, u, v, w; dot_apart(dx, dy, dz, x, y, z, u, v, w);
     lemma turned_one: \forall integer dx, dy, dz, ex, ey, ez, x, y, z, u, v, w; ex == -dx && ey == -dy && ez == -dz &&
       none_before_one(ex, ey, ez, x, y, z, u, v, w) ==> none_behind_one(dx, dy, dz, x, y, z, u, v, w);
     lemma turned: \forall gjk_collider *c, integer dx, dy, dz, ex, ey, ez, o; ex == -dx && ey == -dy && ez == -dz &&
