@@ -88,7 +88,8 @@ static const char *check_small(const subject *s, uint32_t count) {
   free(small.cells);
   if (status != GJK_ERROR_CAPACITY) {
     return !is_answer(s, status)                                                         ? "status with few cells"
-           : status == GJK_OK && s->status == GJK_OK && !same_penetration(&s->depth, &r) ? "depth with few cells"
+           : status == GJK_OK && !is_depth(s, &r)                                        ? "depth with few cells"
+           : status == GJK_OK && s->status == GJK_OK && !same_penetration(&s->depth, &r) ? "answer with few cells"
                                                                                          : NULL;
   }
   snprintf(s->why, s->n, "%ld to %ld, depth %ld", (long)r.lower, (long)r.upper, (long)s->depth.depth);

@@ -12,7 +12,6 @@
 #define SEED 20270103
 #define PAIRS_PER_CELL ((unsigned)check_trials(240))
 #define TOLERANCE 2.0L
-#define SURFACE_TOLERANCE 3.0L  // 2.6 was seen in a million points
 // The points of a depth, which is rounded up; of curved shapes within 3 LSB: and the points' rounding. Of depths as large as
 // the shapes, which bars alone have, curved ones are between bounds that may be 6 LSB apart.
 #define DEPTH_TOLERANCE 3.0L
@@ -33,7 +32,7 @@ typedef struct subject {
 } subject;
 
 typedef struct tally {
-  unsigned met, apart, full, many, reduced, mirrored, unlike, moved, kept;
+  unsigned met, apart, full, many, reduced, mirrored, moved, kept;
   long double surface, gap, nearest_gap, aside, nearest_aside, least;  // largest errors
 } tally;
 
@@ -202,8 +201,8 @@ static bool check_contacts(const subject *a, const subject *b, const gjk_manifol
                              : deep    ? DEEP_TOLERANCE
                                        : CURVED_TOLERANCE;
     raise(nearest ? &t->nearest_aside : &t->aside, aside_of(m, c));
-    const bool good = off_a <= SURFACE_TOLERANCE && off_b <= SURFACE_TOLERANCE && off <= most &&
-                      aside_of(m, c) <= TOLERANCE && c->distance <= margin;
+    const bool good =
+        off_a <= TOLERANCE && off_b <= TOLERANCE && off <= most && aside_of(m, c) <= TOLERANCE && c->distance <= margin;
     CHECK_MSG(good, "contact %u, id %x: %.2Lf and %.2Lf off the surfaces, %.2Lf aside, %ld is off by %.2Lf, margin %ld",
               i, (unsigned)c->id, off_a, off_b, aside_of(m, c), (long)c->distance, off, (long)margin);
     right = right && good;
@@ -289,8 +288,8 @@ static bool has_point(const gjk_manifold *m, const gjk_contact *c) {
 }
 
 // From the other side: the same points but for their rounding, where the normal is the same to the bit and none are left out
-// but what the margin's end cuts off. Where edges that are nearly parallel cross, rounding may move a point along them.
-static void count_mirrored(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 distance, gjk_q16 margin,
+// but what the margin's end cuts off.
+static bool check_mirrored(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 distance, gjk_q16 margin,
                            tally *t) {
   gjk_manifold other;
   gjk_distance_result d;
@@ -298,7 +297,7 @@ static void count_mirrored(const subject *a, const subject *b, const gjk_manifol
   gjk_contacts(&b->collider.collider, &a->collider.collider, margin, GJK_CONTACTS_MAX, NULL, &workspace, &other);
   if (other.normal.x != -m->normal.x || other.normal.y != -m->normal.y || other.normal.z != -m->normal.z ||
       d.distance != distance || m->count == GJK_CONTACTS_MAX) {
-    return;
+    return true;
   }
   bool right = other.feature_a == m->feature_b && other.feature_b == m->feature_a;
   t->mirrored++;
@@ -309,7 +308,8 @@ static void count_mirrored(const subject *a, const subject *b, const gjk_manifol
   for (unsigned i = 0; i < other.count && (m->count > 1 || other.count > 1); i++) {
     right = right && (other.contact[i].distance >= margin || has_point(m, &other.contact[i]));
   }
-  t->unlike += !right;
+  CHECK_MSG(right, "%u contacts, from the other side %u", m->count, other.count);
+  return right;
 }
 
 // Within 2^-7.
@@ -379,8 +379,7 @@ static bool check_pair(random_state *random, const subject *a, subject *b, gjk_q
     t->reduced++;
     right = check_reduced(&m, &few) && right;
   }
-  right = check_contacts(a, b, &few, &d, margin, t) && right;
-  count_mirrored(a, b, &m, d.distance, margin, t);
+  right = check_contacts(a, b, &few, &d, margin, t) && check_mirrored(a, b, &m, d.distance, margin, t) && right;
   if (is_large(a) && is_large(b)) {
     gjk_contacts(p, q, margin + 16, GJK_CONTACTS_MAX, NULL, &workspace, &m);
     check_ids(random, a, b, &m, margin, t);
@@ -390,7 +389,7 @@ static bool check_pair(random_state *random, const subject *a, subject *b, gjk_q
 
 static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, bool bars, tally *all) {
   static subject a, b;
-  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (unsigned i = 0; i < PAIRS_PER_CELL; i++) {
     const bool made = bars ? make_bars(random, kind_a, kind_b, &a, &b) : make_pair(random, kind_a, kind_b, &a, &b);
     CHECK(made);
@@ -412,11 +411,10 @@ static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, 
       t.nearest_aside, t.least, t.mirrored, t.kept, t.moved);
   fflush(stdout);
   // Of few pairs, it may happen that few meet.
-  CHECK_MSG(t.met > PAIRS_PER_CELL / 4 || PAIRS_PER_CELL < 100, "%u met", t.met);
+  CHECK_MSG(t.met > PAIRS_PER_CELL / 3 || PAIRS_PER_CELL < 100, "%u met", t.met);
   all->many += t.many;
   all->reduced += t.reduced;
   all->mirrored += t.mirrored;
-  all->unlike += t.unlike;
   all->moved += t.moved;
   all->kept += t.kept;
 }
@@ -425,7 +423,7 @@ static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, 
 // its points lay 775 LSB off the surface.
 static void test_needle(random_state *random) {
   static subject a, b;
-  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   const gjk_pose at = {{240530368, 808571895, 536988484}, {-185684011, 641664490, 761318246, -356516708}};
   const gjk_pose beside = {{239909109, 809803340, 537317219}, {-419369456, 977511416, 75579173, -125737756}};
   const gjk_q16 margin = 43132;
@@ -459,7 +457,7 @@ int main(void) {
   random_state random = random_seed(check_seed(SEED));
   static const case_kind with_edges[] = {CASE_SEGMENT, CASE_BOX, CASE_HULL, CASE_CYLINDER, CASE_CONE};
   enum { EDGED = sizeof with_edges / sizeof *with_edges };
-  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, bars = all;
+  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, bars = all;
   for (int a = CASE_POINT; a <= CASE_ELLIPSOID; a++) {
     for (int b = CASE_POINT; b <= CASE_ELLIPSOID; b++) {
       test_cell(&random, (case_kind)a, (case_kind)b, false, &all);
@@ -470,13 +468,10 @@ int main(void) {
   }
   test_needle(&random);
   CHECK_MSG(bars.many > PAIRS_PER_CELL || PAIRS_PER_CELL < 100, "%u bars in more than a point", bars.many);
-  const unsigned unlike = all.unlike + bars.unlike, mirrored = all.mirrored + bars.mirrored;
-  printf("%u in more than a point, %u reduced, %u of %u mirrored differ, ids of %u of %u kept\n", all.many, all.reduced,
-         unlike, mirrored, all.kept, all.moved);
+  printf("%u in more than a point, %u reduced, %u mirrored, ids of %u of %u kept\n", all.many, all.reduced,
+         all.mirrored, all.kept, all.moved);
   const bool mixed =
-      all.many > 4 * PAIRS_PER_CELL && all.reduced > PAIRS_PER_CELL / 8 && all.mirrored > 16 * PAIRS_PER_CELL;
-  // Of few, one may differ by chance.
-  CHECK_MSG(unlike * 1000 <= mirrored + 1000, "%u of %u mirrored differ", unlike, mirrored);
+      all.many > 5 * PAIRS_PER_CELL && all.reduced > PAIRS_PER_CELL / 8 && all.mirrored > 16 * PAIRS_PER_CELL;
   CHECK_MSG(mixed || PAIRS_PER_CELL < 100, "%u, %u, %u", all.many, all.reduced, all.mirrored);
   // Of few, a fiftieth may be lost by chance.
   CHECK_MSG(all.kept * 100.0 >= all.moved * (PAIRS_PER_CELL < 100 ? 98.0 : 99.0), "ids of %u of %u kept", all.kept,
