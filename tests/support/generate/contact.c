@@ -6,6 +6,7 @@
 
 #include "place.h"
 #include "polytope.h"
+#include "prism.h"
 
 // v + factor u.
 static gjk_vec3 step(gjk_vec3 v, int32_t factor, gjk_vec3 u) {
@@ -162,15 +163,9 @@ static gjk_quat tilted_rotation(random_state *random, unsigned tilt) {
 }
 
 static void make_prism(random_state *random, gjk_q16 wide, gjk_q16 thin, case_shape *shape) {
-  const gjk_q16 middle = random_below(random, 2) == 0 ? wide : wide / 10 * 7;
-  const gjk_vec3 side[6] = {{thin, wide, 0},  {thin, middle, wide},   {thin, -middle, wide},
-                            {thin, -wide, 0}, {thin, -middle, -wide}, {thin, middle, -wide}};
-  shape->kind = CASE_HULL;
-  case_shape_set_count(shape, thin == 0 ? 6 : 12);
-  for (size_t i = 0; i < shape->count; i++) {
-    shape->vertices[i] = side[i % 6];
-    shape->vertices[i].x *= i < 6 ? 1 : -1;
-  }
+  const gjk_vec3 size = {wide, wide, thin};
+  shape->size = size;
+  generate_prism(3 + random_below(random, 4), shape);
   shape->convex_radius = random_below(random, 2) == 0 ? 0 : random_range(random, 1, wide);
 }
 
