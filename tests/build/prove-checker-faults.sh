@@ -100,6 +100,11 @@ fault level-or-before $check none_before 'gjk_direction_sign(direction, &step) >
 fault b-as-a $check is_support 'direction->opposite = true;' 'direction->opposite = false;' "$open"
 fault nearest-at-the-origin $check is_nearest 's->count == 3 && gjk_dot_sign' 's->count == 4 && gjk_dot_sign' "$open"
 fault far-at-half src/gjk/gjk_iteration.c gjk_iteration_near '(uint64_t)it->radius * 2)' '(uint64_t)it->radius)' "$open"
+fault distance-half-off $check is_rounded '(twice + 1) << it->shift' '(twice + 2) << it->shift' "$open"
+fault distance-without-frame $check is_rounded '(twice - 1) << it->shift' '(twice - 1)' "$open"
+fault distance-of-any-feature $check gjk_check_distance 'certificate->proof != GJK_PROOF_NEAREST || !is_apart' '!is_apart' "$open"
+fault tie-excluded tests/prove/checker/solid.v hull 'Definition above_half (n m f k : Z) := (2 * k - 1) * f * ((2 * k - 1) * f) * m <= 4 * n.' \
+  'Definition above_half (n m f k : Z) := (2 * k - 2) * f * ((2 * k - 2) * f) * m <= 4 * n.' '^failed: what holds of vertices'
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

@@ -1,4 +1,4 @@
-// Contracts of the distance of a feature, as a quotient of numbers of 192 bits.
+// Contracts of the distance of a feature, as a quotient of numbers of 192 bits, and of the checker of distances in space.
 #ifndef PROVE_CHECKER_MEASURE_H
 #define PROVE_CHECKER_MEASURE_H
 
@@ -93,5 +93,102 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk
     assigns \nothing;
     ensures \result == SIGN(4 * six(LIMBS(numerator)) - twice * twice * six(LIMBS(denominator))); */
 int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, uint64_t twice);
+
+// The checker of distances.
+/*@ logic integer top_of(integer count, integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q) = count == 1 ? norm3(x, y, z) :
+      count == 2 ? norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w) :
+      volume3(x, y, z, u, v, w, s, t, q) * volume3(x, y, z, u, v, w, s, t, q);
+    logic integer bottom_of(integer count, integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q) = count == 1 ? 1 :
+      count == 2 ? toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z) :
+      norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t)); */
+#define TOP_OF(s) top_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
+#define BOTTOM_OF(s) bottom_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
+
+/*@ predicate point_measures(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer n,
+        integer m) = \exists integer i, j, tx, ty, tz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) && point_far(tx, ty, tz, n, m);
+    predicate edge_measures(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer n, integer m) =
+      \exists integer i, j, k, l, tx, ty, tz, ux, uy, uz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) &&
+        named3(a, b, x, y, z, f, k, l, ux, uy, uz) && edge_far(tx, ty, tz, ux, uy, uz, n, m);
+    predicate face_measures(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer n, integer m) =
+      \exists integer i, j, k, l, o, p, tx, ty, tz, ux, uy, uz, vx, vy, vz;
+        named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+        named3(a, b, x, y, z, f, o, p, vx, vy, vz) && face_far(tx, ty, tz, ux, uy, uz, vx, vy, vz, n, m);
+    predicate feature_measures(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer n,
+        integer m) = point_measures(a, b, x, y, z, f, n, m) || edge_measures(a, b, x, y, z, f, n, m) ||
+      face_measures(a, b, x, y, z, f, n, m);
+    // The distance of A and B, with r for both radii, is that of a feature, rounded.
+    predicate measured3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer r, integer distance) =
+      \exists integer f, n, m, dx, dy, dz, wx, wy, wz; 1 <= f && feature_measures(a, b, f * x, f * y, f * z, f, n, m) &&
+        support3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz) && beyond_scaled(dx, dy, dz, wx, wy, wz, f, r) &&
+        across3(dx, dy, dz, wx, wy, wz, n, m) && rounded3(n, m, f, distance + r); */
+
+/*@ lemma point_measures: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, tx, ty, tz, n, m;
+      named3(a, b, x, y, z, f, i, j, tx, ty, tz) && point_far(tx, ty, tz, n, m) ==> feature_measures(a, b, x, y, z, f, n, m);
+    lemma edge_measures: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, k, l, tx, ty, tz, ux, uy, uz, n, m;
+      named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+      edge_far(tx, ty, tz, ux, uy, uz, n, m) ==> feature_measures(a, b, x, y, z, f, n, m);
+    lemma face_measures: \forall gjk_collider *a, *b, integer x, y, z, f, i, j, k, l, o, p, tx, ty, tz, ux, uy, uz, vx, vy, vz,
+        n, m; named3(a, b, x, y, z, f, i, j, tx, ty, tz) && named3(a, b, x, y, z, f, k, l, ux, uy, uz) &&
+      named3(a, b, x, y, z, f, o, p, vx, vy, vz) && face_far(tx, ty, tz, ux, uy, uz, vx, vy, vz, n, m) ==>
+      feature_measures(a, b, x, y, z, f, n, m);
+    lemma measured3: \forall gjk_collider *a, *b, integer x, y, z, kx, ky, kz, f, n, m, dx, dy, dz, wx, wy, wz, r, distance, k;
+      1 <= f && kx == f * x && ky == f * y && kz == f * z && k == distance + r && feature_measures(a, b, kx, ky, kz, f, n, m) &&
+      support3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz) && beyond_scaled(dx, dy, dz, wx, wy, wz, f, r) &&
+      across3(dx, dy, dz, wx, wy, wz, n, m) && rounded3(n, m, f, k) ==> measured3(a, b, x, y, z, r, distance);
+    lemma point_across: \forall integer x, y, z, dx, dy, dz, n, m;
+      dx == -x && dy == -y && dz == -z && point_far(x, y, z, n, m) ==> across3(dx, dy, dz, x, y, z, n, m);
+    lemma below_half: \forall integer n, m, f, k, t; t == (2 * k + 1) * f && 4 * n < t * t * m ==> below_half(n, m, f, k);
+    lemma above_half: \forall integer n, m, f, k, t; t == (2 * k - 1) * f && t * t * m <= 4 * n ==> above_half(n, m, f, k);
+    predicate times_across(integer a, integer n, integer m, integer l) = a == -n && l == n * m ==> a * a * m == n * l;
+    lemma times_across: \forall integer a, n, m, l; times_across(a, n, m, l);
+    lemma edge_across: \forall integer x, y, z, u, v, w, s, t, n; gram_of_edge(x, y, z, u, v, w, s, t, n) &&
+      times_across(dot3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z), n, s + t,
+        norm3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t))) ==>
+      across3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z, n, s + t);
+    lemma face_across_height: \forall integer dx, dy, dz, x, y, z, h, n;
+      (dot3(dx, dy, dz, x, y, z) == h || dot3(dx, dy, dz, x, y, z) == -h) && n == h * h ==>
+      across3(dx, dy, dz, x, y, z, n, norm3(dx, dy, dz)); */
+
+/*@ predicate product_least(integer a, integer b) = 1 <= a && 1 <= b ==> a <= a * b && b <= a * b;
+    lemma product_least: \forall integer a, b; product_least(a, b);
+    lemma scale_8: scale(8) == 0x100;
+    lemma scale_16: scale(16) == 0x10000;
+    lemma scale_29: scale(29) == 0x20000000;
+    lemma scale_33: scale(33) == 0x200000000; */
+
+// What is compared with twice the distance.
+#define UP (uint64_t)((uint64_t)(twice + 1) << it->shift)
+#define DOWN (uint64_t)((uint64_t)(twice - 1) << it->shift)
+
+/*@ requires \valid_read(it) && READY(&it->simplex) && 0 <= it->shift <= 29 && 0 <= distance && 0 <= radius <= 0x20000000;
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures across: \result == 1 ==>
+      across3(FEATURE(&it->simplex), SLOT(&it->simplex, 0), TOP_OF(&it->simplex), BOTTOM_OF(&it->simplex));
+    ensures rounded: \result == 1 ==>
+      rounded3(TOP_OF(&it->simplex), BOTTOM_OF(&it->simplex), scale(it->shift), distance + radius); */
+static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius);
+
+/*@ requires \valid_read(s) && \valid(out) && \separated(s, out);
+    assigns *out; */
+void gjk_claim_direction(const gjk_simplex *s, gjk_long3 *out);
+
+/*@ assigns \nothing; */
+bool gjk_claim_normal(const gjk_long3 *direction, const gjk_unit3 *normal);
+
+/*@ assigns \nothing; */
+static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *result, int64_t radius);
+
+// What a checked distance means for the vertices; solid.v goes on from there.
+/*@ requires solid(a) && solid(b) && \valid_read(result);
+    assigns \nothing;
+    ensures meet: \result == GJK_OK && result->intersecting != 0 ==> result->distance == 0 &&
+      together3(a, b, APART(a, b), RADII(a, b));
+    ensures apart: \result == GJK_OK && result->intersecting == 0 ==>
+      measured3(a, b, APART(a, b), RADII(a, b), result->distance);
+    ensures \result == GJK_OK ==> 0 <= result->distance; */
+gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result);
 
 #endif

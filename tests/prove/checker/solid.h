@@ -108,4 +108,23 @@
       volume3(x, y, z, u, v, w, s, t, q) * volume3(x, y, z, u, v, w, s, t, q) <=
       r * r * norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t)); */
 
+// The square of a feature's distance from the origin is n / m; the direction d, from w of the feature, tells the same; and
+// in units of which f are an LSB the distance rounds to k, a tie up.
+/*@ predicate point_far(integer x, integer y, integer z, integer n, integer m) = n == norm3(x, y, z) && m == 1;
+    predicate edge_far(integer x, integer y, integer z, integer u, integer v, integer w, integer n, integer m) =
+      foot3(x, y, z, u, v, w) && m == toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z) &&
+      n == norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w);
+    predicate face_far(integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t, integer q,
+        integer n, integer m) = inside3(x, y, z, u, v, w, s, t, q) &&
+      n == volume3(x, y, z, u, v, w, s, t, q) * volume3(x, y, z, u, v, w, s, t, q) &&
+      m == norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t));
+    predicate across3(integer dx, integer dy, integer dz, integer x, integer y, integer z, integer n, integer m) =
+      dot3(dx, dy, dz, x, y, z) * dot3(dx, dy, dz, x, y, z) * m == n * norm3(dx, dy, dz);
+    predicate below_half(integer n, integer m, integer f, integer k) =
+      4 * n < (2 * k + 1) * f * ((2 * k + 1) * f) * m;
+    predicate above_half(integer n, integer m, integer f, integer k) =
+      (2 * k - 1) * f * ((2 * k - 1) * f) * m <= 4 * n;
+    predicate rounded3(integer n, integer m, integer f, integer k) =
+      below_half(n, m, f, k) && (k == 0 || above_half(n, m, f, k)); */
+
 #endif

@@ -71,6 +71,16 @@ Definition near_edge3 (x y z u v w r : Z) := foot3 x y z u v w /\
 Definition near_face3 (x y z u v w s t q r : Z) := inside3 x y z u v w s t q /\
   volume3 x y z u v w s t q * volume3 x y z u v w s t q <=
   r * r * norm3 (area3 y z v w t q) (area3 z x w u q s) (area3 x y u v s t).
+Definition point_far (x y z n m : Z) := n = norm3 x y z /\ m = 1.
+Definition edge_far (x y z u v w n m : Z) := foot3 x y z u v w /\ m = toward3 x y z u v w + toward3 u v w x y z /\
+  n = norm3 x y z * norm3 u v w - dot3 x y z u v w * dot3 x y z u v w.
+Definition face_far (x y z u v w s t q n m : Z) := inside3 x y z u v w s t q /\
+  n = volume3 x y z u v w s t q * volume3 x y z u v w s t q /\
+  m = norm3 (area3 y z v w t q) (area3 z x w u q s) (area3 x y u v s t).
+Definition across3 (dx dy dz x y z n m : Z) := dot3 dx dy dz x y z * dot3 dx dy dz x y z * m = n * norm3 dx dy dz.
+Definition below_half (n m f k : Z) := 4 * n < (2 * k + 1) * f * ((2 * k + 1) * f) * m.
+Definition above_half (n m f k : Z) := (2 * k - 1) * f * ((2 * k - 1) * f) * m <= 4 * n.
+Definition rounded3 (n m f k : Z) := below_half n m f k /\ (k = 0 \/ above_half n m f k).
 
 (* The same in the frame, of f units an LSB, where A's centre less B's is (x, y, z). *)
 Definition seat (x f p q : Z) := x + f * (p - q).
@@ -93,6 +103,19 @@ Definition near3 (x y z f r : Z) := point_within x y z f r \/ edge_within x y z 
 Definition radius_framed (radius r f : Z) := 0 <= radius <= f * r.
 Definition reached3 (x y z f r : Z) := enclosing3 x y z f \/ near3 x y z f r.
 Definition together3 (r : Z) := exists f s, 1 <= f /\ radius_framed s r f /\ reached3 (f * x) (f * y) (f * z) f s.
+Definition support3 (f dx dy dz wx wy wz : Z) := forall i j, (i < na)%nat -> (j < nb)%nat ->
+  f * (dot3 dx dy dz x y z + dot3 dx dy dz (ax i) (ay i) (az i) - dot3 dx dy dz (bx j) (bl j) (bz j)) <= dot3 dx dy dz wx wy wz.
+Definition beyond_scaled (dx dy dz x y z f r : Z) := beyond3 dx dy dz x y z (f * r).
+Definition point_measures (x y z f n m : Z) := exists i j tx ty tz, named3 x y z f i j tx ty tz /\ point_far tx ty tz n m.
+Definition edge_measures (x y z f n m : Z) := exists i j k l tx ty tz ux uy uz,
+  named3 x y z f i j tx ty tz /\ named3 x y z f k l ux uy uz /\ edge_far tx ty tz ux uy uz n m.
+Definition face_measures (x y z f n m : Z) := exists i j k l o p tx ty tz ux uy uz vx vy vz, named3 x y z f i j tx ty tz /\
+  named3 x y z f k l ux uy uz /\ named3 x y z f o p vx vy vz /\ face_far tx ty tz ux uy uz vx vy vz n m.
+Definition feature_measures (x y z f n m : Z) := point_measures x y z f n m \/ edge_measures x y z f n m \/
+  face_measures x y z f n m.
+Definition measured3 (r distance : Z) := exists f n m dx dy dz wx wy wz, 1 <= f /\ feature_measures (f * x) (f * y) (f * z) f n m /\
+  support3 f dx dy dz wx wy wz /\ beyond_scaled dx dy dz wx wy wz f r /\
+  across3 dx dy dz wx wy wz n m /\ rounded3 n m f (distance + r).
 
 Open Scope R_scope.
 
@@ -501,8 +524,163 @@ Proof.
     lra.
 Qed.
 
+(* The point of f (A - B) that a feature has nearest to the origin: its square is n / m. *)
+Lemma feature_point3 f n m : feature_measures (f * x) (f * y) (f * z) f n m ->
+  (0 < m)%Z /\ exists u v w, in_difference (IZR f) u v w /\ (u * u + v * v + w * w) * IZR m = IZR n.
+Proof.
+  intros [H | [H | H]].
+  - destruct H as (i & j & u & v & w & N & (E & ->)). apply named_in in N. split; [lia |].
+    exists (IZR u), (IZR v), (IZR w). split; [exact N |]. apply (f_equal IZR) in E. real_of E. lra.
+  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & (T & T') & -> & E).
+    apply named_in in P, Q. split; [lia |]. apply Z.gt_lt, IZR_lt in T, T'. apply (f_equal IZR) in E.
+    real_of T. real_of T'. real_of E. unfold toward3, norm3, dot3. rewrite !plus_IZR, !minus_IZR, !plus_IZR, !mult_IZR.
+    set (p := IZR px) in *. set (p' := IZR py) in *. set (p'' := IZR pz) in *.
+    set (u := IZR qx) in *. set (v := IZR qy) in *. set (w := IZR qz) in *. clearbody p p' p'' u v w. rewrite E. clear E.
+    set (a := p * p + p' * p' + p'' * p'' - (p * u + p' * v + p'' * w)) in *.
+    set (b := u * u + v * v + w * w - (u * p + v * p' + w * p'')) in *.
+    pose proof (difference_mean _ b a _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) P Q) as M.
+    eexists _, _, _. split; [exact M |].
+    transitivity (((b * p + a * u) * (b * p + a * u) + (b * p' + a * v) * (b * p' + a * v) +
+      (b * p'' + a * w) * (b * p'' + a * w)) / (b + a)); [field; lra |].
+    replace ((b * p + a * u) * (b * p + a * u) + (b * p' + a * v) * (b * p' + a * v) + (b * p'' + a * w) * (b * p'' + a * w))
+      with ((b + a) * ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) -
+        (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w))) by (unfold a, b; ring).
+    field. lra.
+  - destruct H as (i & j & k & l & o & e & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & (A & B & C) & N & M).
+    apply named_in in P, Q, S. apply Z.gt_lt, IZR_lt in A, B, C. apply (f_equal IZR) in N. pose proof M as M'.
+    apply (f_equal IZR) in M. real_of A. real_of B. real_of C. real_of N. real_of M.
+    pose proof (shares_sum (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as E.
+    destruct (shares_mean (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as (X & Y & Z).
+    set (p1 := share _ _ _ _ _ _ (IZR px) (IZR py) (IZR pz)) in *. set (p2 := share _ _ _ _ _ _ (IZR qx) (IZR qy) (IZR qz)) in *.
+    set (p3 := share _ _ _ _ _ _ (IZR sx) (IZR sy) (IZR sz)) in *.
+    assert (P3 : 0 < p3) by exact A. assert (P1 : 0 < p1) by exact B. assert (P2 : 0 < p2) by exact C. clear A B C.
+    set (h := volume _ _ _ _ _ _ _ _ _) in *. set (nx := area (IZR py) _ _ _ _ _) in *. set (ny := area (IZR pz) _ _ _ _ _) in *.
+    set (nz := area (IZR px) _ _ _ _ _) in *.
+    assert (N' : IZR n = h * h) by exact N. assert (M1 : IZR m = nx * nx + ny * ny + nz * nz) by exact M. clear N M M'.
+    clearbody p1 p2 p3 h nx ny nz. assert (G : 0 < IZR m) by lra. split; [apply lt_IZR; exact G |].
+    pose proof (difference_mean3 _ p1 p2 p3 _ _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q S) as W.
+    rewrite X, Y, Z, E, <- M1 in W. eexists _, _, _. split; [exact W |]. rewrite N'.
+    transitivity (h * h * (nx * nx + ny * ny + nz * nz) / IZR m); [field; lra |]. rewrite <- M1. field. lra.
+Qed.
+
+Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
+Proof. intros B H. apply Rnot_le_lt. intros C. pose proof (Rmult_le_compat b a b a B B C C). lra. Qed.
+
+(* A point of A - B at length m from the origin, with the radii taken off. *)
+Lemma difference_exact3 u v w m : in_difference 1 u v w -> u * u + v * v + w * w = m * m -> 0 < m -> IZR ra + IZR rb <= m ->
+  exists e f g s t q, in_a e f g /\ in_b s t q /\ square_apart e f g s t q = (m - IZR ra - IZR rb) * (m - IZR ra - IZR rb).
+Proof.
+  intros (p & p' & p'' & o & o' & o'' & P & O & U & V & W) N M0 M.
+  destruct radii as (RA & RB & D). apply IZR_le in RA, RB, D.
+  set (k := / m). assert (K : k * m = 1) by (apply Rinv_l; lra).
+  assert (S : (k * u) * (k * u) + (k * v) * (k * v) + (k * w) * (k * w) = 1).
+  { replace ((k * u) * (k * u) + (k * v) * (k * v) + (k * w) * (k * w)) with ((k * k) * (u * u + v * v + w * w)) by ring.
+    rewrite N. replace ((k * k) * (m * m)) with ((k * m) * (k * m)) by ring. rewrite K. ring. }
+  assert (scaled : forall e, (e * (k * u)) * (e * (k * u)) + (e * (k * v)) * (e * (k * v)) + (e * (k * w)) * (e * (k * w)) = e * e).
+  { intros e. replace ((e * (k * u)) * (e * (k * u)) + (e * (k * v)) * (e * (k * v)) + (e * (k * w)) * (e * (k * w)))
+      with ((e * e) * ((k * u) * (k * u) + (k * v) * (k * v) + (k * w) * (k * w))) by ring. rewrite S. ring. }
+  exists (IZR (cx + x) + p - IZR ra * (k * u)), (IZR (cy + y) + p' - IZR ra * (k * v)), (IZR (cz + z) + p'' - IZR ra * (k * w)),
+    (IZR cx + o + IZR rb * (k * u)), (IZR cy + o' + IZR rb * (k * v)), (IZR cz + o'' + IZR rb * (k * w)).
+  split; [exists p, p', p''; split; [exact P | pose proof (scaled (IZR ra)); lra] |].
+  split; [exists o, o', o''; split; [exact O | pose proof (scaled (IZR rb)); lra] |].
+  unfold square_apart. rewrite !plus_IZR.
+  replace (IZR cx + IZR x + p - IZR ra * (k * u) - (IZR cx + o + IZR rb * (k * u))) with ((m - IZR ra - IZR rb) * (k * u)).
+  2: { assert (u = k * m * u) by (rewrite K; lra). lra. }
+  replace (IZR cy + IZR y + p' - IZR ra * (k * v) - (IZR cy + o' + IZR rb * (k * v))) with ((m - IZR ra - IZR rb) * (k * v)).
+  2: { assert (v = k * m * v) by (rewrite K; lra). lra. }
+  replace (IZR cz + IZR z + p'' - IZR ra * (k * w) - (IZR cz + o'' + IZR rb * (k * w))) with ((m - IZR ra - IZR rb) * (k * w)).
+  2: { assert (w = k * m * w) by (rewrite K; lra). lra. }
+  apply scaled.
+Qed.
+
+(* A distance: the shapes have one, which rounds to what is checked, a tie up. *)
+Theorem distance_rounds3 : measured3 (ra + rb) d -> exists m, 0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\
+  (forall u v w s t q, in_a u v w -> in_b s t q -> m <= sqrt (square_apart u v w s t q)) /\
+  (exists u v w s t q, in_a u v w /\ in_b s t q /\ sqrt (square_apart u v w s t q) = m).
+Proof.
+  intros (f & n & m & dx & dy & dz & wx & wy & wz & F & H & B & (E & C) & A & (R2 & R1)).
+  pose proof radii as (RA & RB & D). apply IZR_le in RA, RB, D.
+  destruct (feature_point3 f n m H) as (M & u0 & v0 & w0 & (p & p' & p'' & o & o' & o'' & P & O & -> & -> & ->) & N).
+  set (u := IZR x + p - o) in *. set (v := IZR y + p' - o') in *. set (w := IZR z + p'' - o'') in *.
+  apply IZR_lt in M. apply IZR_le in F. simpl in F, M. apply IZR_lt in E. unfold farther, across3, below_half in *.
+  apply Z.gt_lt, IZR_lt in C. apply (f_equal IZR) in A. apply IZR_lt in R2.
+  rewrite !mult_IZR in A. rewrite !mult_IZR, opp_IZR, !plus_IZR in C.
+  repeat rewrite ?mult_IZR, ?plus_IZR in R2.
+  set (e := IZR (dot3 dx dy dz wx wy wz)) in *. set (g := sqrt (u * u + v * v + w * w)).
+  assert (S0 : 0 <= u * u + v * v + w * w).
+  { pose proof (Rle_0_sqr u). pose proof (Rle_0_sqr v). pose proof (Rle_0_sqr w). unfold Rsqr in *. lra. }
+  assert (G0 : 0 <= g) by apply sqrt_pos. assert (G : g * g = u * u + v * v + w * w) by (apply sqrt_sqrt; exact S0).
+  assert (GN : IZR f * g * (IZR f * g) * IZR m = IZR n) by (rewrite <- N; transitivity (IZR f * IZR f * (g * g) * IZR m); [ring | rewrite G; ring]).
+  set (l := sqrt (IZR (norm3 dx dy dz))).
+  assert (L1 : 0 <= IZR (norm3 dx dy dz)) by (apply IZR_le; unfold norm3; nia).
+  assert (L0 : 0 <= l) by apply sqrt_pos. assert (LL : l * l = IZR (norm3 dx dy dz)) by (apply sqrt_sqrt; exact L1).
+  rewrite <- LL in A, C. set (r := IZR ra + IZR rb) in *.
+  assert (L : 0 < l). { destruct L0 as [| Z]; [assumption |]. rewrite <- Z in A. exfalso.
+    assert (Q : e * e * IZR m = 0) by (rewrite A; ring). assert (0 < e * e) by nra. assert (0 < e * e * IZR m) by (apply Rmult_lt_0_compat; assumption). lra. }
+  assert (FG : 0 <= IZR f * g) by (apply Rmult_le_pos; lra).
+  assert (EE : e * e = IZR f * g * l * (IZR f * g * l)).
+  { apply Rmult_eq_reg_r with (IZR m); [| lra]. rewrite A, <- GN. ring. }
+  assert (EG : - e = IZR f * g * l).
+  { apply Rsqr_inj; [lra | apply Rmult_le_pos; lra |]. unfold Rsqr. rewrite <- EE. ring. }
+  assert (RG : r < g).
+  { assert (X : IZR f * r * l < IZR f * g * l).
+    { rewrite <- EG. apply square_less; [lra |].
+      replace (IZR f * r * l * (IZR f * r * l)) with (IZR f * r * (IZR f * r) * (l * l)) by ring. exact C. }
+    apply Rmult_lt_reg_r in X; [| exact L]. apply Rmult_lt_reg_l in X; [exact X | lra]. }
+  assert (halves : forall t, t * IZR f * (t * IZR f) * IZR m - 4 * IZR n = IZR f * IZR f * IZR m * (t * t - 2 * g * (2 * g))).
+  { intros t. rewrite <- GN. ring. }
+  assert (FM : 0 < IZR f * IZR f * IZR m) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
+  assert (U : 2 * g < 2 * (IZR d + r) + 1).
+  { apply square_less; [unfold r; lra |]. apply Rmult_lt_reg_l with (IZR f * IZR f * IZR m); [exact FM |].
+    pose proof (halves (2 * (IZR d + r) + 1)). unfold r in *. simpl in R2. lra. }
+  assert (W : 2 * (IZR d + r) - 1 <= 2 * g).
+  { destruct R1 as [R1 | R1].
+    - apply (f_equal IZR) in R1. rewrite !plus_IZR in R1. simpl in R1. unfold r. lra.
+    - unfold above_half in R1. apply IZR_le in R1. repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in R1. simpl in R1.
+      apply Rnot_lt_le. intros X. assert (Z : 0 <= 2 * g) by lra. pose proof (Rmult_le_0_lt_compat _ _ _ _ Z Z X X) as Y.
+      apply (Rmult_lt_compat_l (IZR f * IZR f * IZR m)) in Y; [| exact FM].
+      pose proof (halves (2 * (IZR d + r) - 1)). unfold r in *. lra. }
+  exists (g - r). split; [lra |]. split; [lra |]. split.
+  - intros u1 v1 w1 s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2). rewrite !plus_IZR in *.
+    assert (V : IZR f * (IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'')) <= e).
+    { apply le_epsilon. intros c Pc. apply Rlt_le.
+      assert (V1 : forall i j, (i < na)%nat -> (j < nb)%nat ->
+        IZR f * IZR dx * IZR (ax i) + IZR f * IZR dy * IZR (ay i) + IZR f * IZR dz * IZR (az i) <
+        e + c - IZR f * (IZR dx * IZR x + IZR dy * IZR y + IZR dz * IZR z) +
+        IZR f * (IZR dx * IZR (bx j) + IZR dy * IZR (bl j) + IZR dz * IZR (bz j))).
+      { intros i j I J. specialize (B i j I J). apply IZR_le in B. fold e in B. unfold dot3 in B.
+        repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in B. lra. }
+      assert (V2 : forall j, (j < nb)%nat ->
+        - (IZR f * IZR dx) * IZR (bx j) + - (IZR f * IZR dy) * IZR (bl j) + - (IZR f * IZR dz) * IZR (bz j) <
+        e + c - IZR f * (IZR dx * IZR x + IZR dy * IZR y + IZR dz * IZR z) -
+        (IZR f * IZR dx * a + IZR f * IZR dy * a' + IZR f * IZR dz * a'')).
+      { intros j J. pose proof (hull_below na ax ay az a a' a'' _ _ _ _ HA (fun i I => V1 i j I J)). lra. }
+      pose proof (hull_below nb bx bl bz b b' b'' _ _ _ _ HB V2). lra. }
+    assert (V3 : IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'') <= - (g * l)).
+    { apply Rmult_le_reg_l with (IZR f); [lra |]. lra. }
+    assert (LD : IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz = l * l).
+    { rewrite LL. unfold norm3. rewrite !plus_IZR, !mult_IZR. reflexivity. }
+    assert (S : 0 <= square_apart u1 v1 w1 s t q).
+    { pose proof (Rle_0_sqr (u1 - s)). pose proof (Rle_0_sqr (v1 - t)). pose proof (Rle_0_sqr (w1 - q)). unfold Rsqr, square_apart in *. lra. }
+    set (k := sqrt (square_apart u1 v1 w1 s t q)). assert (K : k * k = square_apart u1 v1 w1 s t q) by (apply sqrt_sqrt; exact S).
+    assert (K0 : 0 <= k) by apply sqrt_pos.
+    pose proof (cauchy3 l (IZR ra) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RA LD E1) as A1.
+    assert (E3 : (- (s - IZR cx - b)) * (- (s - IZR cx - b)) + (- (t - IZR cy - b')) * (- (t - IZR cy - b')) +
+      (- (q - IZR cz - b'')) * (- (q - IZR cz - b'')) <= IZR rb * IZR rb) by lra.
+    pose proof (cauchy3 l (IZR rb) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RB LD E3) as A2.
+    assert (E4 : (- (u1 - s)) * (- (u1 - s)) + (- (v1 - t)) * (- (v1 - t)) + (- (w1 - q)) * (- (w1 - q)) <= k * k)
+      by (unfold square_apart in K; lra).
+    pose proof (cauchy3 l k (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 K0 LD E4) as A3.
+    apply Rmult_le_reg_l with l; [exact L |]. unfold r. lra.
+  - assert (X : in_difference 1 u v w) by (exists p, p', p'', o, o', o''; repeat split; try assumption; unfold u, v, w; lra).
+    destruct (difference_exact3 u v w g X (eq_sym G) ltac:(unfold r in *; lra) ltac:(unfold r in *; lra)) as (e1 & e2 & e3 & s & t & q & IA & IB & S).
+    exists e1, e2, e3, s, t, q. split; [exact IA |]. split; [exact IB |]. rewrite S.
+    replace (g - IZR ra - IZR rb) with (g - r) by (unfold r; lra). apply sqrt_square. lra.
+Qed.
+
 End Vertices.
 
 Print Assumptions apart3.
 Print Assumptions spheres_apart3.
 Print Assumptions touching3.
+Print Assumptions distance_rounds3.

@@ -1,4 +1,4 @@
-// The decision checker of space with what it calls, as it is shipped, under the contracts of space.h.
+// The checker of decisions and distances of space with what it calls, as it is shipped, under the contracts of space.h.
 #include "space.h"
 #include "measure.h"
 #include "src/gjk/gjk_frame.c"

@@ -128,6 +128,14 @@
       axiom scale_least: \forall integer n; 0 <= n ==> 1 <= scale(n);
     } */
 
+// What C's shifts to the left have to do with it.
+/*@ predicate scales_joined(integer m, integer n) = scale(m) * scale(n) == scale(m + n);
+    predicate moved_left(integer x, integer n) = (x << n) == x * scale(n);
+    axiomatic scaled {
+      axiom scales_joined: \forall integer m, n; 0 <= m && 0 <= n ==> scales_joined(m, n);
+      axiom moved_left: \forall integer x, n; 0 <= n ==> moved_left(x, n);
+    } */
+
 #define REACH 0x60000000
 // What the frame holds: f times the centres' difference (x, y, z), with room for cores whose radii add up to c; and the
 // radius r, or less.
@@ -775,13 +783,21 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
       0 <= f && named3(a, b, x, y, z, f, i, j, wx, wy, wz) && sum_is(c, ra, rb) &&
       apart_in(px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), ra, rb) ==> placed3(x, y, z, wx, wy, wz, f, c); */
 
+// The simplex is the feature that the certificate names, and no vertex of A - B lies before its plane.
+#define SPANNED(it, c)                                                                                        \
+  ((it)->simplex.count == (c)->count && NAMED3(it, c, 0, Old) && ((c)->count < 2 || NAMED3(it, c, 1, Old)) && \
+   ((c)->count < 3 || NAMED3(it, c, 2, Old)))
+#define SUPPORTED(it)                                                                              \
+  support3((it)->a, (it)->b, APART_AT(it, Old), scale(\old((it)->shift)), FEATURE(&(it)->simplex), \
+           SLOT(&(it)->simplex, 0))
+
 /*@ requires FRAME(it) && CLAIM(it, certificate);
     assigns it->simplex;
     ensures \result == 0 || \result == 1;
     ensures it->radius == \old(it->radius);
     ensures \result == 1 ==> READY(&it->simplex);
-    ensures \result == 1 ==> support3(it->a, it->b, APART_AT(it, Old), scale(\old(it->shift)), FEATURE(&it->simplex),
-      SLOT(&it->simplex, 0));
+    ensures \result == 1 ==> SUPPORTED(it);
+    ensures names: \result == 1 ==> SPANNED(it, certificate);
     ensures \result == 1 ==> placed3(\old(it->delta.x), \old(it->delta.y), \old(it->delta.z), SLOT(&it->simplex, 0),
       scale(\old(it->shift)), \old(CORES(it->a, it->b)));
     ensures \result == 1 && it->simplex.count == 3 ==> dot3(XYZ(it->simplex.normal), SLOT(&it->simplex, 0)) < 0; */
@@ -820,7 +836,12 @@ static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate);
 
 /*@ requires FRAME(it) && CLAIM(it, certificate) && NEAR(it->a, it->b) && 0 <= radius && KEPT_RADIUS(it, radius);
     assigns it->simplex;
-    ensures \result == 1 ==> separated_by3(it->a, it->b, APART_AT(it, Old), radius); */
+    ensures \result == 1 ==> separated_by3(it->a, it->b, APART_AT(it, Old), radius);
+    ensures ready: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> READY(&it->simplex);
+    ensures names: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> SPANNED(it, certificate);
+    ensures plane: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> SUPPORTED(it);
+    ensures beyond: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==>
+      beyond_scaled(FEATURE(&it->simplex), SLOT(&it->simplex, 0), scale(\old(it->shift)), radius); */
 static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius);
 
 // The frame.
@@ -854,7 +875,7 @@ static int32_t far_component(int64_t difference, int shift);
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
     assigns it->shift, it->delta, it->radius;
     ensures \result == 0 || \result == 1;
-    ensures \result == 0 ==> SPHERES(it->a, it->b, radius);
+    ensures \result == 0 ==> spheres != 0 && SPHERES(it->a, it->b, radius);
     ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
     ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius); */
@@ -873,13 +894,15 @@ static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int6
 /*@ requires \valid(it) && ROUND(it, it->a) && ROUND(it, it->b) && 0 <= radius <= 0xffffffff;
     assigns it->shift, it->delta, it->radius;
     ensures \result == 0 || \result == 1;
-    ensures \result == 0 ==> SPHERES(it->a, it->b, radius);
+    ensures \result == 0 ==> spheres != 0 && SPHERES(it->a, it->b, radius);
     ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
     ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius); */
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius);
 
-/*@ assigns \nothing; */
+/*@ assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures goal == GJK_GOAL_DISTANCE ==> \result == 0; */
 static inline bool gjk_goal_separates(gjk_goal goal);
 
 /*@ requires \valid_read(it);
@@ -898,7 +921,7 @@ static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collide
 /*@ requires \valid(it) && solid(a) && solid(b) && BESIDE(it, a) && BESIDE(it, b) && 0 <= radius <= 0xffffffff;
     assigns *it;
     ensures \result == 0 || \result == 1;
-    ensures spheres: \result == 0 ==> SPHERES(a, b, radius);
+    ensures spheres: \result == 0 ==> goal != GJK_GOAL_DISTANCE && SPHERES(a, b, radius);
     ensures \result == 1 ==> it->a == a && it->b == b;
     ensures \result == 1 && it->shift >= 0 ==> NEAR(a, b) && it->shift <= 29 && FRAMED(it);
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
