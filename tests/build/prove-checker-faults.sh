@@ -105,6 +105,11 @@ fault distance-without-frame $check is_rounded '(twice - 1) << it->shift' '(twic
 fault distance-of-any-feature $check gjk_check_distance 'certificate->proof != GJK_PROOF_NEAREST || !is_apart' '!is_apart' "$open"
 fault tie-excluded tests/prove/checker/solid.v hull 'Definition above_half (n m f k : Z) := (2 * k - 1) * f * ((2 * k - 1) * f) * m <= 4 * n.' \
   'Definition above_half (n m f k : Z) := (2 * k - 2) * f * ((2 * k - 2) * f) * m <= 4 * n.' '^failed: what holds of vertices'
+fault depth-one-less $check is_facet 'compare_to(it, depth) <= 0' 'compare_to(it, depth + 1) <= 0' "$open"
+fault facet-inside $check is_facet ' && is_support(it, certificate, &outwards)' '' "$open"
+fault level-or-above $check is_level 'farthest(it->b, &opposite) == 0' 'farthest(it->b, &opposite) >= 0' "$open"
+fault depth-without-frame $check compare_to '(uint64_t)((uint32_t)d << it->shift) * 2' '(uint64_t)(uint32_t)d * 2' "$open"
+fault overlap-not-proven $check intersect 'is_together(&it, &certificate)' 'certificate.count != 0' "$open"
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Proves the checkers of decisions and distances, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
+# Proves the checkers of decisions, distances and depths, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
 # no vertices: prove-checker.sh BUILD [quick | hull | FUNCTION...]
 #
 # tests/prove/README.md tells what is proven. Each lemma and each obligation of a function is printed with its prover. One

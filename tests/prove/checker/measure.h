@@ -76,7 +76,7 @@ static void set_sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_
 static void squared_height(const gjk_simplex *s, gjk_u192 *out);
 
 // Numerator and denominator of a vertex, an edge and a triangle.
-/*@ requires \valid_read(s) && READY(s) && \valid(numerator) && \valid(denominator);
+/*@ requires \valid_read(s) && FORMED(s) && \valid(numerator) && \valid(denominator);
     requires \separated(numerator, s) && \separated(denominator, s) && \separated(numerator, denominator);
     assigns numerator->limb[0 .. 5], denominator->limb[0 .. 5];
     ensures s->count == 1 ==> six(LIMBS(numerator)) == norm3(SLOT(s, 0)) && six(LIMBS(denominator)) == 1;
@@ -95,17 +95,6 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk
 int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, uint64_t twice);
 
 // The checker of distances.
-/*@ logic integer top_of(integer count, integer x, integer y, integer z, integer u, integer v, integer w,
-        integer s, integer t, integer q) = count == 1 ? norm3(x, y, z) :
-      count == 2 ? norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w) :
-      volume3(x, y, z, u, v, w, s, t, q) * volume3(x, y, z, u, v, w, s, t, q);
-    logic integer bottom_of(integer count, integer x, integer y, integer z, integer u, integer v, integer w,
-        integer s, integer t, integer q) = count == 1 ? 1 :
-      count == 2 ? toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z) :
-      norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t)); */
-#define TOP_OF(s) top_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
-#define BOTTOM_OF(s) bottom_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
-
 /*@ predicate point_measures(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer n,
         integer m) = \exists integer i, j, tx, ty, tz; named3(a, b, x, y, z, f, i, j, tx, ty, tz) && point_far(tx, ty, tz, n, m);
     predicate edge_measures(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z, integer f, integer n, integer m) =
@@ -137,19 +126,8 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
       1 <= f && kx == f * x && ky == f * y && kz == f * z && k == distance + r && feature_measures(a, b, kx, ky, kz, f, n, m) &&
       support3(a, b, x, y, z, f, dx, dy, dz, wx, wy, wz) && beyond_scaled(dx, dy, dz, wx, wy, wz, f, r) &&
       across3(dx, dy, dz, wx, wy, wz, n, m) && rounded3(n, m, f, k) ==> measured3(a, b, x, y, z, r, distance);
-    lemma point_across: \forall integer x, y, z, dx, dy, dz, n, m;
-      dx == -x && dy == -y && dz == -z && point_far(x, y, z, n, m) ==> across3(dx, dy, dz, x, y, z, n, m);
     lemma below_half: \forall integer n, m, f, k, t; t == (2 * k + 1) * f && 4 * n < t * t * m ==> below_half(n, m, f, k);
-    lemma above_half: \forall integer n, m, f, k, t; t == (2 * k - 1) * f && t * t * m <= 4 * n ==> above_half(n, m, f, k);
-    predicate times_across(integer a, integer n, integer m, integer l) = a == -n && l == n * m ==> a * a * m == n * l;
-    lemma times_across: \forall integer a, n, m, l; times_across(a, n, m, l);
-    lemma edge_across: \forall integer x, y, z, u, v, w, s, t, n; gram_of_edge(x, y, z, u, v, w, s, t, n) &&
-      times_across(dot3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z), n, s + t,
-        norm3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t))) ==>
-      across3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z, n, s + t);
-    lemma face_across_height: \forall integer dx, dy, dz, x, y, z, h, n;
-      (dot3(dx, dy, dz, x, y, z) == h || dot3(dx, dy, dz, x, y, z) == -h) && n == h * h ==>
-      across3(dx, dy, dz, x, y, z, n, norm3(dx, dy, dz)); */
+    lemma above_half: \forall integer n, m, f, k, t; t == (2 * k - 1) * f && t * t * m <= 4 * n ==> above_half(n, m, f, k); */
 
 /*@ predicate product_least(integer a, integer b) = 1 <= a && 1 <= b ==> a <= a * b && b <= a * b;
     lemma product_least: \forall integer a, b; product_least(a, b);
@@ -165,8 +143,6 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
 /*@ requires \valid_read(it) && READY(&it->simplex) && 0 <= it->shift <= 29 && 0 <= distance && 0 <= radius <= 0x20000000;
     assigns \nothing;
     ensures \result == 0 || \result == 1;
-    ensures across: \result == 1 ==>
-      across3(FEATURE(&it->simplex), SLOT(&it->simplex, 0), TOP_OF(&it->simplex), BOTTOM_OF(&it->simplex));
     ensures rounded: \result == 1 ==>
       rounded3(TOP_OF(&it->simplex), BOTTOM_OF(&it->simplex), scale(it->shift), distance + radius); */
 static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius);

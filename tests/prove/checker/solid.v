@@ -81,6 +81,7 @@ Definition across3 (dx dy dz x y z n m : Z) := dot3 dx dy dz x y z * dot3 dx dy 
 Definition below_half (n m f k : Z) := 4 * n < (2 * k + 1) * f * ((2 * k + 1) * f) * m.
 Definition above_half (n m f k : Z) := (2 * k - 1) * f * ((2 * k - 1) * f) * m <= 4 * n.
 Definition rounded3 (n m f k : Z) := below_half n m f k /\ (k = 0 \/ above_half n m f k).
+Definition at_most_root (s t n : Z) := (0 <= t /\ (s <= 0 \/ s * s <= t * t * n)) \/ (t < 0 /\ s < 0 /\ t * t * n <= s * s).
 
 (* The same in the frame, of f units an LSB, where A's centre less B's is (x, y, z). *)
 Definition seat (x f p q : Z) := x + f * (p - q).
@@ -116,6 +117,8 @@ Definition feature_measures (x y z f n m : Z) := point_measures x y z f n m \/ e
 Definition measured3 (r distance : Z) := exists f n m dx dy dz wx wy wz, 1 <= f /\ feature_measures (f * x) (f * y) (f * z) f n m /\
   support3 f dx dy dz wx wy wz /\ beyond_scaled dx dy dz wx wy wz f r /\
   across3 dx dy dz wx wy wz n m /\ rounded3 n m f (distance + r).
+Definition enough3 (r depth : Z) := exists f dx dy dz wx wy wz, 1 <= f /\ 0 < norm3 dx dy dz /\ support3 f dx dy dz wx wy wz /\
+  at_most_root (dot3 dx dy dz wx wy wz) ((depth - r) * f) (norm3 dx dy dz).
 
 Open Scope R_scope.
 
@@ -593,6 +596,26 @@ Proof.
   apply scaled.
 Qed.
 
+(* No point of f (A - B) lies before w along d. *)
+Lemma support_all f dx dy dz wx wy wz : support3 f dx dy dz wx wy wz -> forall a a' a'' b b' b'',
+  in_hull na ax ay az a a' a'' -> in_hull nb bx bl bz b b' b'' ->
+  IZR f * (IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'')) <= IZR (dot3 dx dy dz wx wy wz).
+Proof.
+  intros B a a' a'' b b' b'' HA HB. set (e := IZR (dot3 dx dy dz wx wy wz)). apply le_epsilon. intros c Pc. apply Rlt_le.
+  assert (V1 : forall i j, (i < na)%nat -> (j < nb)%nat ->
+    IZR f * IZR dx * IZR (ax i) + IZR f * IZR dy * IZR (ay i) + IZR f * IZR dz * IZR (az i) <
+    e + c - IZR f * (IZR dx * IZR x + IZR dy * IZR y + IZR dz * IZR z) +
+    IZR f * (IZR dx * IZR (bx j) + IZR dy * IZR (bl j) + IZR dz * IZR (bz j))).
+  { intros i j I J. specialize (B i j I J). apply IZR_le in B. fold e in B. unfold dot3 in B.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in B. lra. }
+  assert (V2 : forall j, (j < nb)%nat ->
+    - (IZR f * IZR dx) * IZR (bx j) + - (IZR f * IZR dy) * IZR (bl j) + - (IZR f * IZR dz) * IZR (bz j) <
+    e + c - IZR f * (IZR dx * IZR x + IZR dy * IZR y + IZR dz * IZR z) -
+    (IZR f * IZR dx * a + IZR f * IZR dy * a' + IZR f * IZR dz * a'')).
+  { intros j J. pose proof (hull_below na ax ay az a a' a'' _ _ _ _ HA (fun i I => V1 i j I J)). lra. }
+  pose proof (hull_below nb bx bl bz b b' b'' _ _ _ _ HB V2). lra.
+Qed.
+
 (* A distance: the shapes have one, which rounds to what is checked, a tie up. *)
 Theorem distance_rounds3 : measured3 (ra + rb) d -> exists m, 0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\
   (forall u v w s t q, in_a u v w -> in_b s t q -> m <= sqrt (square_apart u v w s t q)) /\
@@ -642,20 +665,7 @@ Proof.
       pose proof (halves (2 * (IZR d + r) - 1)). unfold r in *. lra. }
   exists (g - r). split; [lra |]. split; [lra |]. split.
   - intros u1 v1 w1 s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2). rewrite !plus_IZR in *.
-    assert (V : IZR f * (IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'')) <= e).
-    { apply le_epsilon. intros c Pc. apply Rlt_le.
-      assert (V1 : forall i j, (i < na)%nat -> (j < nb)%nat ->
-        IZR f * IZR dx * IZR (ax i) + IZR f * IZR dy * IZR (ay i) + IZR f * IZR dz * IZR (az i) <
-        e + c - IZR f * (IZR dx * IZR x + IZR dy * IZR y + IZR dz * IZR z) +
-        IZR f * (IZR dx * IZR (bx j) + IZR dy * IZR (bl j) + IZR dz * IZR (bz j))).
-      { intros i j I J. specialize (B i j I J). apply IZR_le in B. fold e in B. unfold dot3 in B.
-        repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in B. lra. }
-      assert (V2 : forall j, (j < nb)%nat ->
-        - (IZR f * IZR dx) * IZR (bx j) + - (IZR f * IZR dy) * IZR (bl j) + - (IZR f * IZR dz) * IZR (bz j) <
-        e + c - IZR f * (IZR dx * IZR x + IZR dy * IZR y + IZR dz * IZR z) -
-        (IZR f * IZR dx * a + IZR f * IZR dy * a' + IZR f * IZR dz * a'')).
-      { intros j J. pose proof (hull_below na ax ay az a a' a'' _ _ _ _ HA (fun i I => V1 i j I J)). lra. }
-      pose proof (hull_below nb bx bl bz b b' b'' _ _ _ _ HB V2). lra. }
+    pose proof (support_all f dx dy dz wx wy wz B _ _ _ _ _ _ HA HB) as V. fold e in V.
     assert (V3 : IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'') <= - (g * l)).
     { apply Rmult_le_reg_l with (IZR f); [lra |]. lra. }
     assert (LD : IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz = l * l).
@@ -678,9 +688,49 @@ Proof.
     replace (g - IZR ra - IZR rb) with (g - r) by (unfold r; lra). apply sqrt_square. lra.
 Qed.
 
+Lemma root_most s t n l : at_most_root s t n -> 0 <= l -> l * l = IZR n -> IZR s <= IZR t * l.
+Proof.
+  intros H L LL. destruct H as [(T & [S | S]) | (T & S & H)].
+  - apply IZR_le in T, S. assert (0 <= IZR t * l) by (apply Rmult_le_pos; assumption). lra.
+  - apply IZR_le in T, S. rewrite !mult_IZR, <- LL in S. apply Rnot_lt_le. intros G.
+    assert (P : 0 <= IZR t * l) by (apply Rmult_le_pos; assumption). pose proof (Rmult_le_0_lt_compat _ _ _ _ P P G G). lra.
+  - apply IZR_lt in T, S. apply IZR_le in H. rewrite !mult_IZR, <- LL in H. apply Rnot_lt_le. intros G.
+    assert (P : 0 <= - IZR s) by lra. assert (Q : - IZR s < - IZR t * l) by lra.
+    pose proof (Rmult_le_0_lt_compat _ _ _ _ P P Q Q). lra.
+Qed.
+
+(* A depth is enough: along some direction of length 1 no point of A is more than that far beyond any point of B. So B moved
+   that far along the direction leaves no point of A beyond one of B. *)
+Theorem depth_enough3 : enough3 (ra + rb) d -> exists ux uy uz, ux * ux + uy * uy + uz * uz = 1 /\
+  forall u v w s t q, in_a u v w -> in_b s t q -> ux * (u - s) + uy * (v - t) + uz * (w - q) <= IZR d.
+Proof.
+  intros (f & dx & dy & dz & wx & wy & wz & F & N & B & A). pose proof radii as (RA & RB & D). apply IZR_le in RA, RB, D, F.
+  apply IZR_lt in N. simpl in F. set (l := sqrt (IZR (norm3 dx dy dz))). assert (L0 : 0 <= l) by apply sqrt_pos.
+  assert (LL : l * l = IZR (norm3 dx dy dz)) by (apply sqrt_sqrt; lra).
+  assert (L : 0 < l). { destruct L0 as [| Z]; [assumption |]. exfalso. rewrite <- Z in LL. lra. }
+  assert (LD : IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz = l * l).
+  { rewrite LL. unfold norm3. rewrite !plus_IZR, !mult_IZR. reflexivity. }
+  pose proof (root_most _ _ _ l A L0 LL) as R. rewrite mult_IZR, minus_IZR, plus_IZR in R.
+  exists (IZR dx / l), (IZR dy / l), (IZR dz / l). split.
+  { transitivity ((IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz) / (l * l)); [field; lra |]. rewrite LD. field. lra. }
+  intros u v w s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2). rewrite !plus_IZR in *.
+  pose proof (support_all f dx dy dz wx wy wz B _ _ _ _ _ _ HA HB) as V.
+  assert (V3 : IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'') <=
+    (IZR d - (IZR ra + IZR rb)) * l).
+  { apply Rmult_le_reg_l with (IZR f); [lra |]. lra. }
+  pose proof (cauchy3 l (IZR ra) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RA LD E1) as A1.
+  assert (E3 : (- (s - IZR cx - b)) * (- (s - IZR cx - b)) + (- (t - IZR cy - b')) * (- (t - IZR cy - b')) +
+    (- (q - IZR cz - b'')) * (- (q - IZR cz - b'')) <= IZR rb * IZR rb) by lra.
+  pose proof (cauchy3 l (IZR rb) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RB LD E3) as A2.
+  apply Rmult_le_reg_l with l; [exact L |].
+  replace (l * (IZR dx / l * (u - s) + IZR dy / l * (v - t) + IZR dz / l * (w - q)))
+    with (IZR dx * (u - s) + IZR dy * (v - t) + IZR dz * (w - q)) by (field; lra). lra.
+Qed.
+
 End Vertices.
 
 Print Assumptions apart3.
 Print Assumptions spheres_apart3.
 Print Assumptions touching3.
 Print Assumptions distance_rounds3.
+Print Assumptions depth_enough3.

@@ -1,6 +1,5 @@
-// The checker of decisions and distances of space with what it calls, as it is shipped, under the contracts of space.h.
-#include "space.h"
-#include "measure.h"
+// The checker of decisions, distances and depths of space with what it calls, as it is shipped, under the contracts of depth.h.
+#include "depth.h"
 #include "src/gjk/gjk_frame.c"
 #include "src/gjk/gjk_iteration.c"
 #include "src/gjk/gjk_simplex.c"

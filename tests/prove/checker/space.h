@@ -31,6 +31,12 @@
     predicate all_beyond3(gjk_collider *a, gjk_collider *b, integer x, integer y, integer z,
         integer dx, integer dy, integer dz, integer r) = \forall integer i, j; 0 <= i < corners(a) && 0 <= j < corners(b) ==>
       beyond_one3(dx, dy, dz, x, y, z, px(a, i), py(a, i), pz(a, i), px(b, j), py(b, j), pz(b, j), r); */
+// No vertex of the collider lies beyond h along d.
+/*@ predicate all_along(gjk_collider *c, integer dx, integer dy, integer dz, integer h) =
+      \forall integer i; 0 <= i < corners(c) ==> dot3(px(c, i), py(c, i), pz(c, i), dx, dy, dz) <= h;
+    lemma sum_along: \forall gjk_collider *a, *b, integer x, y, z, dx, dy, dz, ex, ey, ez, m, n, h;
+      all_along(a, dx, dy, dz, m) && all_along(b, ex, ey, ez, n) && ex == -dx && ey == -dy && ez == -dz &&
+      h == dot3(x, y, z, dx, dy, dz) + m + n ==> behind3(a, b, x, y, z, dx, dy, dz, h); */
 /*@ lemma all_beyond3: \forall gjk_collider *a, *b, integer x, y, z, dx, dy, dz, h, r;
       behind3(a, b, x, y, z, dx, dy, dz, h) && clear3(dx, dy, dz, h, r) ==> all_beyond3(a, b, x, y, z, dx, dy, dz, r); */
 
@@ -131,9 +137,11 @@
 // What C's shifts to the left have to do with it.
 /*@ predicate scales_joined(integer m, integer n) = scale(m) * scale(n) == scale(m + n);
     predicate moved_left(integer x, integer n) = (x << n) == x * scale(n);
+    predicate moved_right(integer x, integer n) = scale(n) * down(x, n) <= x < scale(n) * (down(x, n) + 1);
     axiomatic scaled {
       axiom scales_joined: \forall integer m, n; 0 <= m && 0 <= n ==> scales_joined(m, n);
       axiom moved_left: \forall integer x, n; 0 <= n ==> moved_left(x, n);
+      axiom moved_right: \forall integer x, n; 0 <= n ==> moved_right(x, n);
     } */
 
 #define REACH 0x60000000
@@ -170,6 +178,7 @@ bool space_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset);
     predicate solid(gjk_collider *c) =
       \valid_read(c) && \valid_read(c->shape) && \valid_read(c->shape->type) &&
       1 <= c->core_radius && 0 <= c->shape->convex_radius && c->core_radius + c->shape->convex_radius <= 0xfff0004 &&
+      0 <= c->radius <= 0x10000000 &&
       (c->shape->type->stalls == \null ==> polyhedral(c) && cored(c, c->core_radius)); */
 
 #define RADII(a, b) ((a)->shape->convex_radius + (b)->shape->convex_radius)
@@ -253,12 +262,14 @@ static inline uint32_t gjk_norm1(gjk_vec3 v);
 
 /*@ requires \valid_read(v);
     assigns \nothing;
-    ensures \result == 0 ==> SPAN33(v->x) && SPAN33(v->y) && SPAN33(v->z); */
+    ensures \result == 0 ==> SPAN33(v->x) && SPAN33(v->y) && SPAN33(v->z);
+    ensures v->x == 0 && v->y == 0 && v->z == 0 ==> \result == 0; */
 static uint32_t high_bits(const gjk_long3 *v);
 
 /*@ requires \valid_read(v) && SPAN33(v->x) && SPAN33(v->y) && SPAN33(v->z);
     assigns \nothing;
-    ensures (\result & 0x80000000) == 0 ==> SPAN32(v->x) && SPAN32(v->y) && SPAN32(v->z); */
+    ensures (\result & 0x80000000) == 0 ==> SPAN32(v->x) && SPAN32(v->y) && SPAN32(v->z);
+    ensures v->x == 0 && v->y == 0 && v->z == 0 ==> \result == 0; */
 static uint32_t low_bits(const gjk_long3 *v);
 
 /*@ requires n == 31 && SPAN32(x);
@@ -282,7 +293,9 @@ void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out);
     requires -REACH <= b->x <= REACH && -REACH <= b->y <= REACH && -REACH <= b->z <= REACH && PART(tb);
     assigns *out;
     ensures \result == 0 || \result == 1;
-    ensures \result == 0 ==> meets_one(a->x, b->x, ta, tb) && meets_one(a->y, b->y, ta, tb) && meets_one(a->z, b->z, ta, tb); */
+    ensures \result == 0 ==> meets_one(a->x, b->x, ta, tb) && meets_one(a->y, b->y, ta, tb) && meets_one(a->z, b->z, ta, tb);
+    ensures led: \result == 1 ==>
+      !(meets_one(a->x, b->x, ta, tb) && meets_one(a->y, b->y, ta, tb) && meets_one(a->z, b->z, ta, tb)); */
 bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta,
                                   gjk_search_direction *out);
 
@@ -305,12 +318,13 @@ bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);
 
 // The checker.
-#define EXTENT 0x1200000000000000
+#define EXTENT 0x1800000000000000
 #define DIRECTION(d) (-REACH <= (d).x <= REACH && -REACH <= (d).y <= REACH && -REACH <= (d).z <= REACH)
+#define FULL(x) (-0x7fffffff <= (x) <= 0x7fffffff)
 
-/*@ requires SOLID(c) && \valid_read(d) && DIRECTION(*d);
+/*@ requires SOLID(c) && \valid_read(d) && FULL(d->x) && FULL(d->y) && FULL(d->z);
     assigns \nothing;
-    ensures \forall integer i; 0 <= i < corners(c) ==> dot3(px(c, i), py(c, i), pz(c, i), XYZ(*d)) <= \result;
+    ensures all_along(c, XYZ(*d), \result);
     ensures -EXTENT <= \result <= EXTENT; */
 static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d);
 
@@ -526,18 +540,20 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n);
 
 // A feature that holds the origin's foot.
 #define EDGED(s) (SPOT(s, 1) && SPAN(s, 0, 1) && SQUARE(s, 1) && TOWARD(s, 0, 1) && TOWARD(s, 1, 0))
-#define READY(s)                                                                                                  \
-  (1 <= (s)->count <= 3 && SPOT(s, 0) && ((s)->count == 3 || (IN_ORDER(s) && SQUARE(s, 0))) &&                    \
-   ((s)->count != 2 || (EDGED(s) && foot3(SLOT(s, 0), SLOT(s, 1)))) &&                                            \
-   ((s)->count != 3 || (SPOT(s, 1) && SPOT(s, 2) && SPAN(s, 0, 1) && SPAN(s, 0, 2) && SPAN(s, 1, 2) && FACE(s) && \
-                        OF3(inside3, s, 0, 1, 2))))
+#define FORMED(s)                                                                              \
+  (1 <= (s)->count <= 3 && SPOT(s, 0) && ((s)->count == 3 || (IN_ORDER(s) && SQUARE(s, 0))) && \
+   ((s)->count != 2 || (EDGED(s) && foot3(SLOT(s, 0), SLOT(s, 1)))) &&                         \
+   ((s)->count != 3 || (SPOT(s, 1) && SPOT(s, 2) && SPAN(s, 0, 1) && SPAN(s, 0, 2) && SPAN(s, 1, 2) && FACE(s))))
+#define READY(s) (FORMED(s) && ((s)->count != 3 || OF3(inside3, s, 0, 1, 2)))
 
 /*@ requires \valid_read(s) && READY(s);
     requires \valid(out) && \separated(s, out);
     assigns *out;
     ensures \result == 0 || \result == 1;
     ensures \result == 0 && s->count == 1 ==> in_ball(SLOT(s, 0), 0);
-    ensures \result == 0 && s->count == 2 ==> on_edge3(SLOT(s, 0), SLOT(s, 1)); */
+    ensures \result == 0 && s->count == 2 ==> on_edge3(SLOT(s, 0), SLOT(s, 1));
+    ensures vertex: \result == 1 && s->count == 1 ==> norm3(SLOT(s, 0)) > 0;
+    ensures edge: \result == 1 && s->count == 2 ==> !on_edge3(SLOT(s, 0), SLOT(s, 1)); */
 bool gjk_simplex_direction(const gjk_simplex *s, gjk_search_direction *out);
 
 /*@ requires \valid_read(s) && i <= 3 && j <= 3 && k <= 3 && SPOT(s, i) && SPOT(s, j) && SPOT(s, k);
@@ -791,6 +807,54 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
   support3((it)->a, (it)->b, APART_AT(it, Old), scale(\old((it)->shift)), FEATURE(&(it)->simplex), \
            SLOT(&(it)->simplex, 0))
 
+// The square of the feature's distance from the origin, as a quotient.
+/*@ logic integer top_of(integer count, integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q) = count == 1 ? norm3(x, y, z) :
+      count == 2 ? norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w) :
+      volume3(x, y, z, u, v, w, s, t, q) * volume3(x, y, z, u, v, w, s, t, q);
+    logic integer bottom_of(integer count, integer x, integer y, integer z, integer u, integer v, integer w,
+        integer s, integer t, integer q) = count == 1 ? 1 :
+      count == 2 ? toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z) :
+      norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t)); */
+#define TOP_OF(s) top_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
+#define BOTTOM_OF(s) bottom_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
+
+/*@ lemma point_across: \forall integer x, y, z, dx, dy, dz, n, m;
+      dx == -x && dy == -y && dz == -z && point_far(x, y, z, n, m) ==> across3(dx, dy, dz, x, y, z, n, m);
+    predicate times_across(integer a, integer n, integer m, integer l) = a == -n && l == n * m ==> a * a * m == n * l;
+    lemma times_across: \forall integer a, n, m, l; times_across(a, n, m, l);
+    lemma edge_across: \forall integer x, y, z, u, v, w, s, t, n; gram_of_edge(x, y, z, u, v, w, s, t, n) &&
+      times_across(dot3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z), n, s + t,
+        norm3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t))) ==>
+      across3(edge_way(x, u, s, t), edge_way(y, v, s, t), edge_way(z, w, s, t), x, y, z, n, s + t);
+    lemma face_across_height: \forall integer dx, dy, dz, x, y, z, n;
+      n == dot3(dx, dy, dz, x, y, z) * dot3(dx, dy, dz, x, y, z) ==> across3(dx, dy, dz, x, y, z, n, norm3(dx, dy, dz));
+    lemma meets_way: \forall integer x, u, s, t; edge_way(x, u, s, t) == 0 ==> meets_one(x, u, s, t); */
+
+// n / m is a square distance in the frame's reach; it is at most, or at least, the square of t.
+/*@ predicate in_reach3(integer n, integer m) = 0 <= n <= REACH * REACH * m && 0 <= m;
+    predicate square_at_most(integer n, integer m, integer t) = n <= t * t * m;
+    predicate square_at_least(integer n, integer m, integer t) = t * t * m <= n;
+    predicate gram_under(integer x, integer y, integer z, integer u, integer v, integer w) =
+      norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w) <=
+      norm3(x, y, z) * (toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z));
+    predicate gram_scalar(integer a, integer b, integer c) = a * b - c * c <= a * (a - c + (b - c));
+    predicate dot_turned(integer x, integer y, integer z, integer u, integer v, integer w) =
+      dot3(u, v, w, x, y, z) == dot3(x, y, z, u, v, w);
+    lemma gram_scalar: \forall integer a, b, c; gram_scalar(a, b, c);
+    lemma dot_turned: \forall integer x, y, z, u, v, w; dot_turned(x, y, z, u, v, w);
+    lemma gram_under: \forall integer x, y, z, u, v, w; gram_scalar(norm3(x, y, z), norm3(u, v, w), dot3(x, y, z, u, v, w)) &&
+      dot_turned(x, y, z, u, v, w) ==> gram_under(x, y, z, u, v, w);
+    lemma reach_point: \forall integer x, y, z; in_ball(x, y, z, REACH) ==> in_reach3(norm3(x, y, z), 1);
+    predicate top_under(integer n, integer m, integer l) = 0 <= n <= l * m && 0 <= m;
+    lemma under_top: \forall integer t, n, m, l; under(t, m, l) && n == t * t && 0 <= m ==> top_under(n, m, l);
+    lemma reach_under: \forall integer n, m, l; top_under(n, m, l) && l <= REACH * REACH ==> in_reach3(n, m);
+    lemma top_edge: \forall integer x, y, z, u, v, w, s, t, q, n;
+      gram_is(x, y, z, u, v, w, n) ==> top_of(2, x, y, z, u, v, w, s, t, q) == n;
+    lemma norm_positive: \forall integer x, y, z; (x != 0 || y != 0 || z != 0) ==> 0 < norm3(x, y, z); */
+
+#define ACROSS(s) across3(FEATURE(s), SLOT(s, 0), TOP_OF(s), BOTTOM_OF(s))
+
 /*@ requires FRAME(it) && CLAIM(it, certificate);
     assigns it->simplex;
     ensures \result == 0 || \result == 1;
@@ -798,6 +862,9 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
     ensures \result == 1 ==> READY(&it->simplex);
     ensures \result == 1 ==> SUPPORTED(it);
     ensures names: \result == 1 ==> SPANNED(it, certificate);
+    ensures way: \result == 1 ==> 0 < norm3(FEATURE(&it->simplex)) && dot3(FEATURE(&it->simplex), SLOT(&it->simplex, 0)) <= 0;
+    ensures across: \result == 1 ==> ACROSS(&it->simplex);
+    ensures reach: \result == 1 ==> in_reach3(TOP_OF(&it->simplex), BOTTOM_OF(&it->simplex)) && 0 < BOTTOM_OF(&it->simplex);
     ensures \result == 1 ==> placed3(\old(it->delta.x), \old(it->delta.y), \old(it->delta.z), SLOT(&it->simplex, 0),
       scale(\old(it->shift)), \old(CORES(it->a, it->b)));
     ensures \result == 1 && it->simplex.count == 3 ==> dot3(XYZ(it->simplex.normal), SLOT(&it->simplex, 0)) < 0; */
@@ -840,6 +907,7 @@ static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate);
     ensures ready: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> READY(&it->simplex);
     ensures names: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> SPANNED(it, certificate);
     ensures plane: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> SUPPORTED(it);
+    ensures across: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==> ACROSS(&it->simplex);
     ensures beyond: \result == 1 && certificate->proof == GJK_PROOF_NEAREST ==>
       beyond_scaled(FEATURE(&it->simplex), SLOT(&it->simplex, 0), scale(\old(it->shift)), radius); */
 static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius);
@@ -863,6 +931,7 @@ static bool longer_than(const gjk_long3 *v, unsigned n, int64_t r);
     assigns \nothing;
     ensures -3 <= \result <= 0;
     ensures \result == 0 ==> in_ball(XYZ(*delta), 0x40000000);
+    ensures near: in_ball(XYZ(*delta), 0x40000000) ==> \result == 0;
     ensures WITHIN(delta, -\result, 0x40000000); */
 static int far_shift(const gjk_long3 *delta);
 
@@ -877,6 +946,7 @@ static int32_t far_component(int64_t difference, int shift);
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> spheres != 0 && SPHERES(it->a, it->b, radius);
     ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
+    ensures near: \result == 1 && spheres != 0 && CORES(it->a, it->b) + radius <= 0x40000000 ==> it->shift >= 0;
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
     ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius); */
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
@@ -896,13 +966,15 @@ static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int6
     ensures \result == 0 || \result == 1;
     ensures \result == 0 ==> spheres != 0 && SPHERES(it->a, it->b, radius);
     ensures \result == 1 && it->shift >= 0 ==> NEAR(it->a, it->b) && it->shift <= 29 && FRAMED(it);
+    ensures near: \result == 1 && spheres != 0 && CORES(it->a, it->b) + radius <= 0x40000000 ==> it->shift >= 0;
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
     ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius); */
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius);
 
 /*@ assigns \nothing;
     ensures \result == 0 || \result == 1;
-    ensures goal == GJK_GOAL_DISTANCE ==> \result == 0; */
+    ensures goal == GJK_GOAL_DISTANCE ==> \result == 0;
+    ensures goal == GJK_GOAL_DEPTH || goal == GJK_GOAL_WITHIN ==> \result == 1; */
 static inline bool gjk_goal_separates(gjk_goal goal);
 
 /*@ requires \valid_read(it);
@@ -924,6 +996,7 @@ static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collide
     ensures spheres: \result == 0 ==> goal != GJK_GOAL_DISTANCE && SPHERES(a, b, radius);
     ensures \result == 1 ==> it->a == a && it->b == b;
     ensures \result == 1 && it->shift >= 0 ==> NEAR(a, b) && it->shift <= 29 && FRAMED(it);
+    ensures near: \result == 1 && (goal == GJK_GOAL_DEPTH || goal == GJK_GOAL_WITHIN) && CORES(a, b) + radius <= 0x40000000 ==> it->shift >= 0;
     ensures \result == 1 && it->shift >= 0 ==> radius_framed(it->radius, radius, scale(it->shift));
     ensures \result == 1 && it->shift >= 0 ==> KEPT_RADIUS(it, radius);
     ensures \result == 1 && it->stalls == \null ==> a->shape->type->stalls == \null && b->shape->type->stalls == \null; */
