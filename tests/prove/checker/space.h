@@ -606,7 +606,9 @@ static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 offset, gjk_
     assigns v->b, v->w;
     ensures v->w.x == seat(it->delta.x, scale(it->shift), v->a.offset.x, b->offset.x) &&
       v->w.y == seat(it->delta.y, scale(it->shift), v->a.offset.y, b->offset.y) &&
-      v->w.z == seat(it->delta.z, scale(it->shift), v->a.offset.z, b->offset.z) && reach3(XYZ(it->delta), XYZ(v->w)); */
+      v->w.z == seat(it->delta.z, scale(it->shift), v->a.offset.z, b->offset.z);
+    ensures near: in_ball(v->w.x - it->delta.x, v->w.y - it->delta.y, v->w.z - it->delta.z, 0x3fffffff);
+    ensures reach: in_ball(XYZ(v->w), REACH); */
 static void complete_vertex(const gjk_iteration *it, gjk_vertex *v, const gjk_support *b);
 
 /*@ requires \valid(s) && s->count <= 3 && IN_ORDER(s);
