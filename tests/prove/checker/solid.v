@@ -180,6 +180,23 @@ Hypothesis radii : (0 <= ra /\ 0 <= rb /\ 0 <= d)%Z.
 Definition in_a := in_shape na ax ay az (IZR (cx + x)) (IZR (cy + y)) (IZR (cz + z)) (IZR ra).
 Definition in_b := in_shape nb bx bl bz (IZR cx) (IZR cy) (IZR cz) (IZR rb).
 
+(* Along a direction of length l the radii add at most that often to what points of the hulls are apart. *)
+Lemma widened l dx dy dz u v w s t q p p' p'' o o' o'' :
+  0 <= l -> dx * dx + dy * dy + dz * dz = l * l ->
+  (u - IZR (cx + x) - p) * (u - IZR (cx + x) - p) + (v - IZR (cy + y) - p') * (v - IZR (cy + y) - p') +
+    (w - IZR (cz + z) - p'') * (w - IZR (cz + z) - p'') <= IZR ra * IZR ra ->
+  (s - IZR cx - o) * (s - IZR cx - o) + (t - IZR cy - o') * (t - IZR cy - o') +
+    (q - IZR cz - o'') * (q - IZR cz - o'') <= IZR rb * IZR rb ->
+  dx * (u - s) + dy * (v - t) + dz * (w - q) <=
+    dx * (IZR x + p - o) + dy * (IZR y + p' - o') + dz * (IZR z + p'' - o'') + l * (IZR ra + IZR rb).
+Proof.
+  intros L LL E E'. destruct radii as (RA & RB & D). apply IZR_le in RA, RB. rewrite !plus_IZR in *.
+  pose proof (cauchy3 l (IZR ra) dx dy dz _ _ _ L RA LL E) as A.
+  assert (E2 : (- (s - IZR cx - o)) * (- (s - IZR cx - o)) + (- (t - IZR cy - o')) * (- (t - IZR cy - o')) +
+    (- (q - IZR cz - o'')) * (- (q - IZR cz - o'')) <= IZR rb * IZR rb) by lra.
+  pose proof (cauchy3 l (IZR rb) dx dy dz _ _ _ L RB LL E2) as B. lra.
+Qed.
+
 (* If A - B without the radii is more than m = ra + rb + d behind the origin along a direction of length l, then every point
    of A is more than d away from every point of B. *)
 Lemma behind_apart l dx dy dz u v w s t q p p' p'' o o' o'' :
@@ -191,12 +208,8 @@ Lemma behind_apart l dx dy dz u v w s t q p p' p'' o o' o'' :
     (q - IZR cz - o'') * (q - IZR cz - o'') <= IZR rb * IZR rb ->
   square_apart u v w s t q > IZR d * IZR d.
 Proof.
-  intros L LL W E E'. destruct radii as (RA & RB & D). apply IZR_le in RA, RB, D. rewrite !plus_IZR in *.
-  assert (L0 : 0 <= l) by lra.
-  pose proof (cauchy3 l (IZR ra) dx dy dz _ _ _ L0 RA LL E) as A.
-  assert (E2 : (- (s - IZR cx - o)) * (- (s - IZR cx - o)) + (- (t - IZR cy - o')) * (- (t - IZR cy - o')) +
-    (- (q - IZR cz - o'')) * (- (q - IZR cz - o'')) <= IZR rb * IZR rb) by lra.
-  pose proof (cauchy3 l (IZR rb) dx dy dz _ _ _ L0 RB LL E2) as B.
+  intros L LL W E E'. destruct radii as (RA & RB & D). apply IZR_le in D. assert (L0 : 0 <= l) by lra.
+  pose proof (widened l dx dy dz _ _ _ _ _ _ _ _ _ _ _ _ L0 LL E E') as A.
   unfold square_apart. apply Rnot_le_gt. intros C.
   assert (C2 : (- (u - s)) * (- (u - s)) + (- (v - t)) * (- (v - t)) + (- (w - q)) * (- (w - q)) <= IZR d * IZR d) by lra.
   pose proof (cauchy3 l (IZR d) dx dy dz _ _ _ L0 D LL C2). lra.
@@ -425,108 +438,6 @@ Qed.
 Ltac real_of H := unfold share3, share_of, toward3, volume3, area3, cross, norm3, dot3 in H;
   repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in H.
 
-(* `yes`: some points of A and of B are at most the distance apart. *)
-Theorem touching3 : together3 (ra + rb + d) -> touch.
-Proof.
-  intros (f & r & F & (R0 & R1) & H).
-  assert (R : (0 <= r <= f * (ra + rb + d))%Z) by lia.
-  assert (O : (0 <= 0 <= f * (ra + rb + d))%Z) by lia.
-  assert (point : forall s, (0 <= s <= f * (ra + rb + d))%Z -> point_within (f * x) (f * y) (f * z) f s -> touch).
-  { intros s S (i & j & u & v & w & N & B). apply named_in in N. apply (difference_near f _ _ _ s F S N).
-    unfold in_ball, norm3 in B. apply IZR_le in B. repeat rewrite ?mult_IZR, ?plus_IZR in B. exact B. }
-  destruct H as [[H | [H | [H | H]]] | [H | [H | H]]].
-  - exact (point 0%Z O H).
-  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & (T & T') & X & Y & Z).
-    apply named_in in P, Q. apply Z.gt_lt, IZR_lt in T, T'. unfold meets_one in X, Y, Z. apply (f_equal IZR) in X, Y, Z.
-    rewrite plus_IZR, !mult_IZR in X, Y, Z. simpl in T, T'.
-    set (a := IZR (toward3 px py pz qx qy qz)) in *. set (b := IZR (toward3 qx qy qz px py pz)) in *. clearbody a b.
-    pose proof (difference_mean _ b a _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) P Q) as M.
-    replace (b * IZR px + a * IZR qx) with 0 in M by lra. replace (b * IZR py + a * IZR qy) with 0 in M by lra.
-    replace (b * IZR pz + a * IZR qz) with 0 in M by lra. apply (difference_near f _ _ _ 0 F O M).
-    replace (0 / (b + a)) with 0 by (field; lra). lra.
-  - destruct H as (i & j & k & l & m & n & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & (A & B & C) & V).
-    apply named_in in P, Q, S. apply Z.gt_lt, IZR_lt in A, B, C. apply (f_equal IZR) in V.
-    real_of A. real_of B. real_of C. real_of V.
-    destruct (shares_mean (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as (X & Y & Z).
-    unfold volume in X, Y, Z. rewrite V, Rmult_0_l in X, Y, Z.
-    set (p1 := share _ _ _ _ _ _ (IZR px) (IZR py) (IZR pz)) in *. set (p2 := share _ _ _ _ _ _ (IZR qx) (IZR qy) (IZR qz)) in *.
-    set (p3 := share _ _ _ _ _ _ (IZR sx) (IZR sy) (IZR sz)) in *.
-    assert (P3 : 0 < p3) by exact A. assert (P1 : 0 < p1) by exact B. assert (P2 : 0 < p2) by exact C. clearbody p1 p2 p3.
-    pose proof (difference_mean3 _ p1 p2 p3 _ _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q S) as M.
-    rewrite X, Y, Z in M. apply (difference_near f _ _ _ 0 F O M). replace (0 / (p1 + p2 + p3)) with 0 by (field; lra). lra.
-  - destruct H as (i & j & k & l & m & n & o & e & px & py & pz & qx & qy & qz & sx & sy & sz & tx & ty & tz & P & Q & S & T & V).
-    apply named_in in P, Q, S, T. unfold in_tetrahedron, one_side in V.
-    set (a := volume3 qx qy qz sx sy sz tx ty tz) in *. set (b := volume3 px py pz sx sy sz tx ty tz) in *.
-    set (c := volume3 px py pz qx qy qz tx ty tz) in *. set (g := volume3 px py pz qx qy qz sx sy sz) in *.
-    assert (X : (a * px - b * qx + c * sx - g * tx = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
-    assert (Y : (a * py - b * qy + c * sy - g * ty = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
-    assert (Z : (a * pz - b * qz + c * sz - g * tz = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
-    clearbody a b c g. apply (f_equal IZR) in X, Y, Z.
-    repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in X. repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in Y.
-    repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in Z.
-    assert (mean : forall a b c g, 0 <= a -> 0 <= b -> 0 <= c -> 0 <= g -> 0 < a + b + c + g ->
-      a * IZR px + b * IZR qx + c * IZR sx + g * IZR tx = 0 -> a * IZR py + b * IZR qy + c * IZR sy + g * IZR ty = 0 ->
-      a * IZR pz + b * IZR qz + c * IZR sz + g * IZR tz = 0 -> touch).
-    { clear - radii P Q S T F O. intros a b c g A B C G One X Y Z. destruct (Req_dec (a + b + c) 0) as [E | N].
-      - assert (a = 0) by lra. assert (b = 0) by lra. assert (c = 0) by lra. subst a b c.
-        apply (difference_near f _ _ _ 0 F O T). assert (IZR tx = 0) by nra. assert (IZR ty = 0) by nra.
-        assert (IZR tz = 0) by nra. rewrite H, H0, H1. simpl. lra.
-      - pose proof (difference_mean3 _ a b c _ _ _ _ _ _ _ _ _ A B C ltac:(lra) P Q S) as M.
-        pose proof (difference_mean _ (a + b + c) g _ _ _ _ _ _ ltac:(lra) G One M T) as D.
-        apply (difference_near f _ _ _ 0 F O D).
-        assert (zero : forall p q s t, a * p + b * q + c * s + g * t = 0 ->
-          ((a + b + c) * ((a * p + b * q + c * s) / (a + b + c)) + g * t) / (a + b + c + g) = 0).
-        { intros p q s t W. replace ((a + b + c) * ((a * p + b * q + c * s) / (a + b + c)) + g * t) with (a * p + b * q + c * s + g * t)
-            by (field; lra). rewrite W. field. lra. }
-        rewrite !zero by assumption. lra. }
-    destruct V as [(A & B & C & G & E) | (A & B & C & G & E)]; apply IZR_le in A, B, C, G; apply IZR_lt in E;
-      rewrite !plus_IZR, !opp_IZR in E.
-    + rewrite opp_IZR in B, G. apply (mean (IZR a) (- IZR b) (IZR c) (- IZR g)); lra.
-    + rewrite opp_IZR in A, C. apply (mean (- IZR a) (IZR b) (- IZR c) (IZR g)); lra.
-  - exact (point r R H).
-  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & (T & T') & N).
-    apply named_in in P, Q. apply Z.gt_lt, IZR_lt in T, T'. apply IZR_le in N. real_of T. real_of T'. real_of N.
-    set (p := IZR px) in *. set (p' := IZR py) in *. set (p'' := IZR pz) in *.
-    set (u := IZR qx) in *. set (v := IZR qy) in *. set (w := IZR qz) in *. clearbody p p' p'' u v w.
-    set (a := p * p + p' * p' + p'' * p'' - (p * u + p' * v + p'' * w)) in *.
-    set (b := u * u + v * v + w * w - (u * p + v * p' + w * p'')) in *.
-    assert (T0 : 0 < a) by lra. assert (T1 : 0 < b) by lra.
-    pose proof (difference_mean _ b a _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) P Q) as M.
-    apply (difference_near f _ _ _ r F R M). assert (E : 0 < b + a) by lra.
-    apply Rmult_le_reg_l with (b + a); [exact E |]. set (c := b + a) in *.
-    replace (c * ((b * p + a * u) / c * ((b * p + a * u) / c) + (b * p' + a * v) / c * ((b * p' + a * v) / c) +
-      (b * p'' + a * w) / c * ((b * p'' + a * w) / c)))
-      with (((b * p + a * u) * (b * p + a * u) + (b * p' + a * v) * (b * p' + a * v) +
-        (b * p'' + a * w) * (b * p'' + a * w)) / c) by (field; lra).
-    replace ((b * p + a * u) * (b * p + a * u) + (b * p' + a * v) * (b * p' + a * v) + (b * p'' + a * w) * (b * p'' + a * w))
-      with (c * ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) -
-        (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w))) by (unfold c, a, b; ring).
-    replace (c * ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) - (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w)) / c)
-      with ((p * p + p' * p' + p'' * p'') * (u * u + v * v + w * w) - (p * u + p' * v + p'' * w) * (p * u + p' * v + p'' * w))
-      by (field; lra).
-    replace (c * (IZR r * IZR r)) with (IZR r * IZR r * (a + b)) by (unfold c; ring). exact N.
-  - destruct H as (i & j & k & l & m & n & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & (A & B & C) & N).
-    apply named_in in P, Q, S. apply Z.gt_lt, IZR_lt in A, B, C. apply IZR_le in N.
-    real_of A. real_of B. real_of C. real_of N.
-    pose proof (shares_sum (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as E.
-    destruct (shares_mean (IZR px) (IZR py) (IZR pz) (IZR qx) (IZR qy) (IZR qz) (IZR sx) (IZR sy) (IZR sz)) as (X & Y & Z).
-    set (p1 := share _ _ _ _ _ _ (IZR px) (IZR py) (IZR pz)) in *. set (p2 := share _ _ _ _ _ _ (IZR qx) (IZR qy) (IZR qz)) in *.
-    set (p3 := share _ _ _ _ _ _ (IZR sx) (IZR sy) (IZR sz)) in *.
-    assert (P3 : 0 < p3) by exact A. assert (P1 : 0 < p1) by exact B. assert (P2 : 0 < p2) by exact C. clear A B C.
-    set (h := volume _ _ _ _ _ _ _ _ _) in *. set (nx := area (IZR py) _ _ _ _ _) in *. set (ny := area (IZR pz) _ _ _ _ _) in *.
-    set (nz := area (IZR px) _ _ _ _ _) in *.
-    assert (N' : h * h <= IZR r * IZR r * (nx * nx + ny * ny + nz * nz)) by exact N. clear N.
-    clearbody p1 p2 p3 h nx ny nz.
-    pose proof (difference_mean3 _ p1 p2 p3 _ _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q S) as M.
-    rewrite X, Y, Z, E in M. apply (difference_near f _ _ _ r F R M).
-    set (c := nx * nx + ny * ny + nz * nz) in *. assert (G : 0 < c) by lra.
-    apply Rmult_le_reg_l with c; [exact G |].
-    replace (c * (h * nx / c * (h * nx / c) + h * ny / c * (h * ny / c) + h * nz / c * (h * nz / c))) with (h * h).
-    2: { replace (c * (h * nx / c * (h * nx / c) + h * ny / c * (h * ny / c) + h * nz / c * (h * nz / c)))
-      with (h * h * (nx * nx + ny * ny + nz * nz) / c) by (field; lra). fold c. field. lra. }
-    lra.
-Qed.
-
 (* The point of f (A - B) that a feature has nearest to the origin: its square is n / m. *)
 Lemma feature_point3 f n m : feature_measures (f * x) (f * y) (f * z) f n m ->
   (0 < m)%Z /\ exists u v w, in_difference (IZR f) u v w /\ (u * u + v * v + w * w) * IZR m = IZR n.
@@ -564,6 +475,72 @@ Proof.
     pose proof (difference_mean3 _ p1 p2 p3 _ _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q S) as W.
     rewrite X, Y, Z, E, <- M1 in W. eexists _, _, _. split; [exact W |]. rewrite N'.
     transitivity (h * h * (nx * nx + ny * ny + nz * nz) / IZR m); [field; lra |]. rewrite <- M1. field. lra.
+Qed.
+
+(* `yes`: some points of A and of B are at most the distance apart. *)
+Theorem touching3 : together3 (ra + rb + d) -> touch.
+Proof.
+  intros (f & r & F & (R0 & R1) & H).
+  assert (R : (0 <= r <= f * (ra + rb + d))%Z) by lia.
+  assert (O : (0 <= 0 <= f * (ra + rb + d))%Z) by lia.
+  assert (point : forall s, (0 <= s <= f * (ra + rb + d))%Z -> point_within (f * x) (f * y) (f * z) f s -> touch).
+  { intros s S (i & j & u & v & w & N & B). apply named_in in N. apply (difference_near f _ _ _ s F S N).
+    unfold in_ball, norm3 in B. apply IZR_le in B. repeat rewrite ?mult_IZR, ?plus_IZR in B. exact B. }
+  assert (feature : forall s n m, (0 <= s <= f * (ra + rb + d))%Z -> feature_measures (f * x) (f * y) (f * z) f n m ->
+    (n <= s * s * m)%Z -> touch).
+  { intros s n m S M N. destruct (feature_point3 f n m M) as (G & u & v & w & D & E).
+    apply (difference_near f u v w s F S D). apply IZR_lt in G. apply IZR_le in N. rewrite !mult_IZR in N. simpl in G.
+    apply Rmult_le_reg_r with (IZR m); lra. }
+  destruct H as [[H | [H | [H | H]]] | [H | [H | H]]].
+  - exact (point 0%Z O H).
+  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & (T & T') & X & Y & Z).
+    apply named_in in P, Q. apply Z.gt_lt, IZR_lt in T, T'. unfold meets_one in X, Y, Z. apply (f_equal IZR) in X, Y, Z.
+    rewrite plus_IZR, !mult_IZR in X, Y, Z. simpl in T, T'.
+    set (a := IZR (toward3 px py pz qx qy qz)) in *. set (b := IZR (toward3 qx qy qz px py pz)) in *. clearbody a b.
+    pose proof (difference_mean _ b a _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) P Q) as M.
+    replace (b * IZR px + a * IZR qx) with 0 in M by lra. replace (b * IZR py + a * IZR qy) with 0 in M by lra.
+    replace (b * IZR pz + a * IZR qz) with 0 in M by lra. apply (difference_near f _ _ _ 0 F O M).
+    replace (0 / (b + a)) with 0 by (field; lra). lra.
+  - destruct H as (i & j & k & l & m & n & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & In & V).
+    eapply (feature 0%Z 0%Z); [exact O | right; right | simpl; apply Z.le_refl].
+    exists i, j, k, l, m, n, px, py, pz, qx, qy, qz, sx, sy, sz. split; [exact P |]. split; [exact Q |]. split; [exact S |].
+    split; [exact In |]. rewrite V. split; reflexivity.
+  - destruct H as (i & j & k & l & m & n & o & e & px & py & pz & qx & qy & qz & sx & sy & sz & tx & ty & tz & P & Q & S & T & V).
+    apply named_in in P, Q, S, T. unfold in_tetrahedron, one_side in V.
+    set (a := volume3 qx qy qz sx sy sz tx ty tz) in *. set (b := volume3 px py pz sx sy sz tx ty tz) in *.
+    set (c := volume3 px py pz qx qy qz tx ty tz) in *. set (g := volume3 px py pz qx qy qz sx sy sz) in *.
+    assert (X : (a * px - b * qx + c * sx - g * tx = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
+    assert (Y : (a * py - b * qy + c * sy - g * ty = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
+    assert (Z : (a * pz - b * qz + c * sz - g * tz = 0)%Z) by (unfold a, b, c, g, volume3, dot3, cross; ring).
+    clearbody a b c g. apply (f_equal IZR) in X, Y, Z.
+    repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in X. repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in Y.
+    repeat rewrite ?minus_IZR, ?plus_IZR, ?mult_IZR in Z.
+    assert (mean : forall a b c g, 0 <= a -> 0 <= b -> 0 <= c -> 0 <= g -> 0 < a + b + c + g ->
+      a * IZR px + b * IZR qx + c * IZR sx + g * IZR tx = 0 -> a * IZR py + b * IZR qy + c * IZR sy + g * IZR ty = 0 ->
+      a * IZR pz + b * IZR qz + c * IZR sz + g * IZR tz = 0 -> touch).
+    { clear - radii P Q S T F O. intros a b c g A B C G One X Y Z. destruct (Req_dec (a + b + c) 0) as [E | N].
+      - assert (a = 0) by lra. assert (b = 0) by lra. assert (c = 0) by lra. subst a b c.
+        apply (difference_near f _ _ _ 0 F O T). assert (IZR tx = 0) by nra. assert (IZR ty = 0) by nra.
+        assert (IZR tz = 0) by nra. rewrite H, H0, H1. simpl. lra.
+      - pose proof (difference_mean3 _ a b c _ _ _ _ _ _ _ _ _ A B C ltac:(lra) P Q S) as M.
+        pose proof (difference_mean _ (a + b + c) g _ _ _ _ _ _ ltac:(lra) G One M T) as D.
+        apply (difference_near f _ _ _ 0 F O D).
+        assert (zero : forall p q s t, a * p + b * q + c * s + g * t = 0 ->
+          ((a + b + c) * ((a * p + b * q + c * s) / (a + b + c)) + g * t) / (a + b + c + g) = 0).
+        { intros p q s t W. replace ((a + b + c) * ((a * p + b * q + c * s) / (a + b + c)) + g * t) with (a * p + b * q + c * s + g * t)
+            by (field; lra). rewrite W. field. lra. }
+        rewrite !zero by assumption. lra. }
+    destruct V as [(A & B & C & G & E) | (A & B & C & G & E)]; apply IZR_le in A, B, C, G; apply IZR_lt in E;
+      rewrite !plus_IZR, !opp_IZR in E.
+    + rewrite opp_IZR in B, G. apply (mean (IZR a) (- IZR b) (IZR c) (- IZR g)); lra.
+    + rewrite opp_IZR in A, C. apply (mean (- IZR a) (IZR b) (- IZR c) (IZR g)); lra.
+  - exact (point r R H).
+  - destruct H as (i & j & k & l & px & py & pz & qx & qy & qz & P & Q & T & N). eapply (feature r); [exact R | right; left | exact N].
+    exists i, j, k, l, px, py, pz, qx, qy, qz. split; [exact P |]. split; [exact Q |]. split; [exact T |]. split; reflexivity.
+  - destruct H as (i & j & k & l & m & n & px & py & pz & qx & qy & qz & sx & sy & sz & P & Q & S & In & N).
+    eapply (feature r); [exact R | right; right | exact N].
+    exists i, j, k, l, m, n, px, py, pz, qx, qy, qz, sx, sy, sz. split; [exact P |]. split; [exact Q |]. split; [exact S |].
+    split; [exact In |]. split; reflexivity.
 Qed.
 
 Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
@@ -664,7 +641,7 @@ Proof.
       apply (Rmult_lt_compat_l (IZR f * IZR f * IZR m)) in Y; [| exact FM].
       pose proof (halves (2 * (IZR d + r) - 1)). unfold r in *. lra. }
   exists (g - r). split; [lra |]. split; [lra |]. split.
-  - intros u1 v1 w1 s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2). rewrite !plus_IZR in *.
+  - intros u1 v1 w1 s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2).
     pose proof (support_all f dx dy dz wx wy wz B _ _ _ _ _ _ HA HB) as V. fold e in V.
     assert (V3 : IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'') <= - (g * l)).
     { apply Rmult_le_reg_l with (IZR f); [lra |]. lra. }
@@ -674,10 +651,7 @@ Proof.
     { pose proof (Rle_0_sqr (u1 - s)). pose proof (Rle_0_sqr (v1 - t)). pose proof (Rle_0_sqr (w1 - q)). unfold Rsqr, square_apart in *. lra. }
     set (k := sqrt (square_apart u1 v1 w1 s t q)). assert (K : k * k = square_apart u1 v1 w1 s t q) by (apply sqrt_sqrt; exact S).
     assert (K0 : 0 <= k) by apply sqrt_pos.
-    pose proof (cauchy3 l (IZR ra) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RA LD E1) as A1.
-    assert (E3 : (- (s - IZR cx - b)) * (- (s - IZR cx - b)) + (- (t - IZR cy - b')) * (- (t - IZR cy - b')) +
-      (- (q - IZR cz - b'')) * (- (q - IZR cz - b'')) <= IZR rb * IZR rb) by lra.
-    pose proof (cauchy3 l (IZR rb) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RB LD E3) as A2.
+    pose proof (widened l (IZR dx) (IZR dy) (IZR dz) _ _ _ _ _ _ _ _ _ _ _ _ L0 LD E1 E2) as A1.
     assert (E4 : (- (u1 - s)) * (- (u1 - s)) + (- (v1 - t)) * (- (v1 - t)) + (- (w1 - q)) * (- (w1 - q)) <= k * k)
       by (unfold square_apart in K; lra).
     pose proof (cauchy3 l k (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 K0 LD E4) as A3.
@@ -713,15 +687,12 @@ Proof.
   pose proof (root_most _ _ _ l A L0 LL) as R. rewrite mult_IZR, minus_IZR, plus_IZR in R.
   exists (IZR dx / l), (IZR dy / l), (IZR dz / l). split.
   { transitivity ((IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz) / (l * l)); [field; lra |]. rewrite LD. field. lra. }
-  intros u v w s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2). rewrite !plus_IZR in *.
+  intros u v w s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2).
   pose proof (support_all f dx dy dz wx wy wz B _ _ _ _ _ _ HA HB) as V.
   assert (V3 : IZR dx * (IZR x + a - b) + IZR dy * (IZR y + a' - b') + IZR dz * (IZR z + a'' - b'') <=
     (IZR d - (IZR ra + IZR rb)) * l).
   { apply Rmult_le_reg_l with (IZR f); [lra |]. lra. }
-  pose proof (cauchy3 l (IZR ra) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RA LD E1) as A1.
-  assert (E3 : (- (s - IZR cx - b)) * (- (s - IZR cx - b)) + (- (t - IZR cy - b')) * (- (t - IZR cy - b')) +
-    (- (q - IZR cz - b'')) * (- (q - IZR cz - b'')) <= IZR rb * IZR rb) by lra.
-  pose proof (cauchy3 l (IZR rb) (IZR dx) (IZR dy) (IZR dz) _ _ _ L0 RB LD E3) as A2.
+  pose proof (widened l (IZR dx) (IZR dy) (IZR dz) _ _ _ _ _ _ _ _ _ _ _ _ L0 LD E1 E2) as A1.
   apply Rmult_le_reg_l with l; [exact L |].
   replace (l * (IZR dx / l * (u - s) + IZR dy / l * (v - t) + IZR dz / l * (w - q)))
     with (IZR dx * (u - s) + IZR dy * (v - t) + IZR dz * (w - q)) by (field; lra). lra.

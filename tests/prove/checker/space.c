@@ -1,4 +1,5 @@
 // The checker of decisions, distances and depths of space with what it calls, as it is shipped, under the contracts of depth.h.
+
 // Before the numbers of 192 bits, behind which the provers do not find the lemmas of geometry.
 #include "space.h"
 
