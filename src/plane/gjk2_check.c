@@ -245,7 +245,8 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
     return GJK_ERROR_UNSUPPORTED;
   }
   const bool exact = result->lower == result->distance && result->upper == result->distance;
-  return exact && plane_proves_distance(&s, result) && plane_proves_points(&s, result) ? GJK_OK : GJK_ERROR_UNPROVEN;
+  const bool proven = exact && plane_proves_distance(&s, result) && plane_proves_points(&s, result);
+  return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
 
 // Do the cores intersect? Proven by a decision of the check's own.
@@ -257,42 +258,76 @@ static bool cores_intersect(gjk2_search *s) {
   return outcome == GJK2_OUTCOME_ENCLOSING && plane_is_enclosing(s, &own);
 }
 
+// Is h / |n| at least low, and less than low + 1? With more = 1: more than low, and at most low + 1. Exact.
+// Pre: h < 2^62, squared = |n|^2 < 2^62, more is 0 or 1.
+static bool plane_lies_from(uint64_t h, uint64_t squared, int64_t low, unsigned more) {
+  if (low < -1 || low >= INT32_MAX) {
+    return false;
+  }
+  const uint32_t from = (uint32_t)low, to = (uint32_t)(low + 1);
+  return (low < 0 || gjk2_reaches(h, squared, gjk_umul32(from, from), more)) &&
+         !gjk2_reaches(h, squared, gjk_umul32(to, to), more);
+}
+
+// Step 3 of cores that are apart: is the nearest feature -core from the origin, rounded down, and within the radii?
+static bool feature_is_depth(gjk2_search *s, const gjk2_certificate *certificate, int64_t core, gjk2_vec *n,
+                             int64_t *height) {
+  if (!plane_is_nearest(s, certificate)) {
+    return false;
+  }
+  const gjk2_vec d = {s->d.x, s->d.y};
+  n->x = d.x;
+  n->y = d.y;
+  *height = s->base;
+  return gjk2_is_within(-s->base, d, s->radius) &&
+         plane_lies_from((uint64_t)-s->base, (uint64_t)gjk2_dot(d, d), -core, 0);
+}
+
+// Step 3 of cores that touch: is the named vertex at the origin, and all of A - B behind the line there?
+static bool line_is_depth(const gjk2_search *s, const gjk2_certificate *certificate, int64_t core, gjk2_vec *n,
+                          int64_t *height) {
+  gjk2_vec w[1];
+  const gjk2_vec d = {certificate->direction.x, certificate->direction.y};
+  n->x = d.x;
+  n->y = d.y;
+  *height = 0;
+  return core == 0 && load_named(s, certificate, 1, w) && gjk2_norm1(w[0]) == 0 &&
+         gjk_magnitude32(d.x) <= UINT32_C(1) << 30 && gjk_magnitude32(d.y) <= UINT32_C(1) << 30 && gjk2_norm1(d) != 0 &&
+         support(s, d) == 0;
+}
+
+// Step 3 of cores that overlap: is the named edge core from the origin, rounded up, and no other edge nearer?
+static bool edge_is_depth(gjk2_search *s, const gjk2_certificate *certificate, int64_t core, gjk2_vec *n,
+                          int64_t *height) {
+  gjk2_vec w[2];
+  gjk2_length length;
+  gjk2_edge lowest;
+  if (!load_named(s, certificate, 2, w) || certificate->count != 2) {
+    return false;
+  }
+  const gjk2_vec d = gjk2_outward(gjk2_sub(w[1], w[0]));
+  const int64_t along = gjk2_cross(w[0], w[1]);
+  n->x = d.x;
+  n->y = d.y;
+  *height = along;
+  if (gjk2_norm1(d) == 0 || along < 0 || support(s, d) != along || !cores_intersect(s) ||
+      !plane_lies_from((uint64_t)along, (uint64_t)gjk2_dot(d, d), core - 1, 1)) {
+    return false;
+  }
+  gjk2_length_set(&length, d);
+  return gjk2_nearest_edge(s, &lowest) == GJK2_LIE_OVERLAP && !gjk2_edge_is_lower(&lowest, (uint64_t)along, &length);
+}
+
 // Step 3: the line that bounds A - B, n . w <= height, and the depth that follows from it.
 static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result, gjk2_vec *n, int64_t *height) {
   const gjk2_certificate *c = &result->certificate;
-  gjk2_length length;
-  gjk2_edge lowest;
-  gjk2_vec w[2];
   const int64_t core = (int64_t)result->depth - gjk2_convex_radii(s);
   switch (c->proof) {
-    case GJK2_PROOF_NEAREST:
-      if (!plane_is_nearest(s, c) || !gjk2_is_within(-s->base, s->d, s->radius)) {
-        return false;
-      }
-      gjk2_copy(n, &s->d);
-      *height = s->base;
-      gjk2_length_set(&length, *n);
-      return -core == gjk2_round_distance(&length, GJK2_ROUND_DOWN, (uint64_t)-s->base);
-    case GJK2_PROOF_LINE:
-      gjk2_copy(n, &c->direction);
-      *height = 0;
-      return core == 0 && load_named(s, c, 1, w) && gjk2_norm1(w[0]) == 0 && gjk2_norm1(*n) != 0 &&
-             gjk_magnitude32(n->x) <= UINT32_C(1) << 30 && gjk_magnitude32(n->y) <= UINT32_C(1) << 30 &&
-             support(s, *n) == 0;
-    case GJK2_PROOF_EDGE: break;
+    case GJK2_PROOF_NEAREST: return feature_is_depth(s, c, core, n, height);
+    case GJK2_PROOF_LINE: return line_is_depth(s, c, core, n, height);
+    case GJK2_PROOF_EDGE: return edge_is_depth(s, c, core, n, height);
     default: return false;
   }
-  if (c->count != 2 || !load_named(s, c, 2, w)) {
-    return false;
-  }
-  *n = gjk2_outward(gjk2_sub(w[1], w[0]));
-  *height = gjk2_cross(w[0], w[1]);
-  if (gjk2_norm1(*n) == 0 || *height < 0 || support(s, *n) != *height || !cores_intersect(s)) {
-    return false;
-  }
-  gjk2_length_set(&length, *n);
-  return core == gjk2_round_distance(&length, GJK2_ROUND_UP, (uint64_t)*height) &&
-         gjk2_nearest_edge(s, &lowest) == GJK2_LIE_OVERLAP && !gjk2_edge_is_lower(&lowest, (uint64_t)*height, &length);
 }
 
 // Step 4: are the points on their shapes and depth apart against the normal, or saturated?

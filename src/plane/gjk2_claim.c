@@ -37,7 +37,7 @@ bool gjk2_claim_normal(gjk2_vec n, const gjk2_unit *normal) {
   }
   // |u| <= sqrt(2) (2^30 + 4), |n| <= sqrt(2) 3 2^29:   along below 2^62, across below 2^62
   const int64_t along = gjk2_dot(u, u) - (INT64_C(1) << 60), limit = INT64_C(1) << 34, across = gjk2_cross(u, n);
-  if (along < -limit || along > limit || gjk_magnitude64(across) >> 35 != 0) {  // 4 |n| < 2^34
+  if (along < -limit || along > limit || gjk_magnitude64(across) >= UINT64_C(1) << 35) {  // 4 |n| < 2^34
     return false;
   }
   // Is 2^62 across^2 + along^2 n^2 <= 255/16 2^62 n^2?

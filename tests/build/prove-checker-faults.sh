@@ -43,7 +43,7 @@ for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3 coqc:
     exit
   fi
 done
-wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|space): \[wp\]'
+wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|claim|space): \[wp\]'
 fault digits-mixed $wide.c gjk_sum_of_products 'gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'gjk_mac32(gjk_mul32(rh, sl), rl, sl);' "$open"
 fault carry-lost $wide.c gjk_sum_of_products '+ (digit >> 31);' ';' "$open"
 fault sign-of-zero $wide.c gjk_sum_of_products_sign_exact '? -1 : (sum.high | sum.low) != 0' '? -1 : sum.low != 0' "$open"
@@ -110,6 +110,20 @@ fault facet-inside $check is_facet ' && is_support(it, certificate, &outwards)' 
 fault level-or-above $check is_level 'farthest(it->b, &opposite) == 0' 'farthest(it->b, &opposite) >= 0' "$open"
 fault depth-without-frame $check compare_to '(uint64_t)((uint32_t)d << it->shift) * 2' '(uint64_t)(uint32_t)d * 2' "$open"
 fault overlap-not-proven $check intersect 'is_together(&it, &certificate)' 'certificate.count != 0' "$open"
+plane=src/plane/gjk2_check.c claim=src/plane/gjk2_claim.c outward=src/plane/gjk2_outward
+fault next-is-same $plane plane_lies_from 'gjk_umul32(to, to), more)' 'gjk_umul32(from, from), more)' "$open"
+fault depth-of-one-less $plane feature_is_depth '-core, 0);' '-core - 1, 0);' "$open"
+fault edge-inside $plane edge_is_depth 'along < 0 || support(s, d) != along' 'along < 0' "$open"
+fault edge-of-cores-apart $plane edge_is_depth ' || !cores_intersect(s)' '' "$open"
+fault line-or-above $plane line_is_depth 'support(s, d) == 0' 'support(s, d) >= 0' "$open"
+fault move-rounded-down $outward.h gjk2_outward_step ' + ((UINT32_C(1) << 30) - 1)' '' "$open"
+fault move-from-behind $outward.c gjk2_outward_clears 'gjk2_dot(n, t) - height' 'gjk2_dot(n, t) + height' "$open"
+fault normal-of-twice $claim gjk2_claim_normal 'UINT64_C(255) << 29' 'UINT64_C(255) << 30' "$open"
+fault normal-backwards $claim plane_same_sign 'u >= 0 : u <= 0' 'u >= 0 : u >= 0' "$open"
+fault point-2-beside $claim gjk2_claim_point 'c->shape->convex_radius + 1;' 'c->shape->convex_radius + 2;' "$open"
+fault saturated-inside $claim plane_at_end 'coordinate == INT32_MAX' 'coordinate >= 0' "$open"
+fault gap-of-3 $claim gjk2_claim_gap 'eighths + 16' 'eighths + 24' "$open"
+fault move-other-way tests/prove/checker/hull.v hull 'cleared (dot dx dy tx ty - h)' 'cleared (h - dot dx dy tx ty)' '^failed: what holds of vertices'
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \

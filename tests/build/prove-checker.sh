@@ -122,7 +122,7 @@ case $wanted in
 esac
 [ $failed = 0 ] || { finish prove-checker; exit; }
 if [ -z "$wanted" ]; then
-  for which in plane space; do
+  for which in plane claim space; do
     wp "lemmas-$which" gcc_x86_32 '' "$which.c" -wp-prop=@lemma >"$dir/lemmas.goals"
     proven=$?
     cat "$dir/lemmas.goals"
@@ -138,6 +138,7 @@ if [ -z "$wanted" ] || [ "$wanted" = hull ]; then
 fi
 run int32 gcc_x86_32 '' wide
 run plane gcc_x86_32 '' plane
+run claim gcc_x86_32 '' claim
 run space gcc_x86_32 '' space
 if [ -z "$wanted" ]; then
   run int16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 wide

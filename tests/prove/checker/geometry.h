@@ -135,4 +135,8 @@
     lemma line_of_edge: \forall integer x, y, u, v; edge_line(x, y, u, v) && cross(x, y, u, v) < 0 &&
       -0x40000000 <= u - x <= 0x40000000 && -0x40000000 <= v - y <= 0x40000000 ==> line_of_edge(x, y, u, v); */
 
+// s is at most t times the root of n.
+/*@ predicate at_most_root(integer s, integer t, integer n) =
+      (0 <= t && (s <= 0 || s * s <= t * t * n)) || (t < 0 && s < 0 && t * t * n <= s * s); */
+
 #endif

@@ -45,8 +45,32 @@ Definition rounded (h square n : Z) :=
   (n = 0 \/ 4 * h * h >= (2 * n - 1) * (2 * n - 1) * square) /\ 4 * h * h < (2 * n + 1) * (2 * n + 1) * square.
 Definition line_measures (r distance dx dy h : Z) :=
   behind dx dy h /\ clear dx dy h r /\ rounded (- h) (dot dx dy dx dy) (distance + r).
-Definition measured (r distance count : Z) (i j k l : nat) := exists dx dy h,
-  feature count i j k l dx dy h /\ line_measures r distance dx dy h.
+Definition same_sign (d u : Z) := (d = 0 -> u = 0) /\ (d > 0 -> 0 <= u) /\ (d < 0 -> u <= 0).
+Definition along_unit (dx dy u v : Z) := same_sign dx u /\ same_sign dy v /\
+  2 ^ 62 * (cross u v dx dy * cross u v dx dy) +
+  (dot u v u v - 2 ^ 60) * (dot u v u v - 2 ^ 60) * dot dx dy dx dy <= 255 * 2 ^ 58 * dot dx dy dx dy.
+Definition eighths (h square e : Z) := e * e * square <= 64 * (h * h).
+Definition eighths_apart (e x y : Z) := 64 * (x * x + y * y) <= (e + 16) * (e + 16) /\
+  (15 < e -> (e - 15) * (e - 15) <= 64 * (x * x + y * y)).
+Definition as_far (h square r x y : Z) := exists e,
+  0 <= e /\ eighths h square e /\ ~ eighths h square (e + 1) /\ eighths_apart (e - 8 * r) x y.
+Definition measured (r distance count : Z) (i j k l : nat) (u v saturated gx gy : Z) := exists dx dy h,
+  feature count i j k l dx dy h /\ line_measures r distance dx dy h /\ along_unit dx dy u v /\
+  (saturated = 0 -> as_far (- h) (dot dx dy dx dy) r gx gy).
+
+(* s is at most t times the root of n. *)
+Definition at_most_root (s t n : Z) := (0 <= t /\ (s <= 0 \/ s * s <= t * t * n)) \/ (t < 0 /\ s < 0 /\ t * t * n <= s * s).
+Definition enough (r depth u v : Z) := exists dx dy h, 0 < dot dx dy dx dy /\ behind dx dy h /\
+  at_most_root h (depth - r) (dot dx dy dx dy) /\ along_unit dx dy u v.
+Definition cleared (h r square : Z) := 0 <= h /\ r * r * square <= h * h.
+Definition moves (dx dy h r tx ty : Z) := cleared (dot dx dy tx ty - h) r (dot dx dy dx dy).
+Definition beside_vertex (n : nat) (vx vy : nat -> Z) (x y r : Z) := exists i, (i < n)%nat /\ near_point (x + vx i) (y + vy i) r.
+Definition beside_edge (n : nat) (vx vy : nat -> Z) (x y r : Z) := exists i k, (i < n)%nat /\ (k < n)%nat /\
+  foot (x + vx i) (y + vy i) (x + vx k) (y + vy k) /\ near_line (x + vx i) (y + vy i) (x + vx k) (y + vy k) r.
+Definition parted (r tx ty : Z) := exists dx dy h, 0 < dot dx dy dx dy /\ behind dx dy h /\ moves dx dy h r tx ty.
+Definition steps (t depth u : Z) := (0 <= u -> 2 ^ 30 * (t - 1) < depth * u <= 2 ^ 30 * t) /\
+  (u < 0 -> 2 ^ 30 * t <= depth * u < 2 ^ 30 * (t + 1)).
+Definition moved (r depth u v : Z) := exists tx ty, steps tx depth u /\ steps ty depth v /\ parted r tx ty.
 
 Open Scope R_scope.
 
@@ -292,6 +316,23 @@ Proof.
     replace (k * (u * t - v * s) * q + k * (s * q - t * p) * v + k * (p * v - q * u) * t) with 0 by ring. lra.
 Qed.
 
+(* The foot of the origin on an edge, if it lies within, is where the edge is nearest. *)
+Lemma foot_near p q u v r : p * (u - p) + q * (v - q) < 0 -> 0 < u * (u - p) + v * (v - q) ->
+  (p * v - q * u) * (p * v - q * u) <= r * r * ((u - p) * (u - p) + (v - q) * (v - q)) -> exists h, 0 <= h <= 1 /\
+  (p + h * (u - p)) * (p + h * (u - p)) + (q + h * (v - q)) * (q + h * (v - q)) <= r * r.
+Proof.
+  intros F G N. set (e := (u - p) * (u - p) + (v - q) * (v - q)) in *. set (f := p * (u - p) + q * (v - q)) in *.
+  assert (E : 0 < e) by (unfold e, f in *; lra).
+  set (h := - f / e). assert (K : h * e = - f) by (unfold h; field; lra).
+  exists h. split; [split; unfold e, f in *; nra |].
+  apply Rmult_le_reg_l with (r := e); [exact E |].
+  replace (e * ((p + h * (u - p)) * (p + h * (u - p)) + (q + h * (v - q)) * (q + h * (v - q))))
+    with (e * (p * p + q * q) + 2 * (h * e) * f + (h * e) * (h * e)) by (unfold e, f; ring).
+  rewrite K.
+  replace (e * (p * p + q * q) + 2 * - f * f + - f * - f) with ((p * v - q * u) * (p * v - q * u))
+    by (unfold e, f; ring). lra.
+Qed.
+
 (* `yes`: some points of A and of B are at most the distance apart. r is what the checker makes of the radius. *)
 Theorem together r : (0 <= r <= ra + rb + d)%Z -> enclosing \/ near_vertex r \/ near_edge r -> touch.
 Proof.
@@ -314,18 +355,8 @@ Proof.
   - destruct H as (i & j & k & l & px & py & qx & qy & P & Q & (F & G) & N). apply named_in in P, Q.
     unfold near_line, dot, cross in *. apply IZR_le in N. apply IZR_lt in F. apply Z.gt_lt, IZR_lt in G.
     repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in *.
-    set (p := IZR px) in *. set (q := IZR py) in *. set (u := IZR qx) in *. set (v := IZR qy) in *.
-    set (e := (u - p) * (u - p) + (v - q) * (v - q)) in *. set (f := p * (u - p) + q * (v - q)) in *.
-    assert (E : 0 < e) by (unfold e, f in *; lra).
-    set (h := - f / e). assert (K : h * e = - f) by (unfold h; field; lra).
-    assert (0 <= h <= 1) by (split; unfold e, f in *; nra).
-    apply (between_near p q u v r h R P Q); [assumption |].
-    apply Rmult_le_reg_l with (r := e); [exact E |].
-    replace (e * ((p + h * (u - p)) * (p + h * (u - p)) + (q + h * (v - q)) * (q + h * (v - q))))
-      with (e * (p * p + q * q) + 2 * (h * e) * f + (h * e) * (h * e)) by (unfold e, f; ring).
-    rewrite K.
-    replace (e * (p * p + q * q) + 2 * - f * f + - f * - f) with ((p * v - q * u) * (p * v - q * u))
-      by (unfold e, f; ring). lra.
+    destruct (foot_near (IZR px) (IZR py) (IZR qx) (IZR qy) (IZR r) F G N) as (h & H & D).
+    exact (between_near _ _ _ _ r h R P Q H D).
 Qed.
 
 (* The circles: no vertex is farther than its core's radius from its centre. *)
@@ -370,7 +401,7 @@ Qed.
 
 (* A point of A - B at length m from the origin, with the radii taken off. *)
 Lemma difference_exact u v m : in_difference u v -> u * u + v * v = m * m -> 0 < m -> IZR ra + IZR rb <= m ->
-  exists e f s t, in_a e f /\ in_b s t /\ square_apart e f s t = (m - IZR ra - IZR rb) * (m - IZR ra - IZR rb).
+  exists e f s t, in_a e f /\ in_b s t /\ s - e = (m - IZR ra - IZR rb) * (- / m * u) /\ t - f = (m - IZR ra - IZR rb) * (- / m * v).
 Proof.
   intros (p & q & s & t & P & Q & U & V) N M0 M.
   destruct radii as (RA & RB & D). apply IZR_le in RA, RB, D.
@@ -385,12 +416,8 @@ Proof.
     (IZR cx + s + IZR rb * (k * u)), (IZR cy + t + IZR rb * (k * v)).
   split; [exists p, q; split; [exact P | pose proof (scaled (IZR ra)); lra] |].
   split; [exists s, t; split; [exact Q | pose proof (scaled (IZR rb)); lra] |].
-  unfold square_apart. rewrite !plus_IZR.
-  replace (IZR cx + IZR x + p - IZR ra * (k * u) - (IZR cx + s + IZR rb * (k * u))) with ((m - IZR ra - IZR rb) * (k * u)).
-  2: { assert (u = k * m * u) by (rewrite K; lra). lra. }
-  replace (IZR cy + IZR y + q - IZR ra * (k * v) - (IZR cy + t + IZR rb * (k * v))) with ((m - IZR ra - IZR rb) * (k * v)).
-  2: { assert (v = k * m * v) by (rewrite K; lra). lra. }
-  apply scaled.
+  rewrite !plus_IZR. assert (u = k * m * u) by (rewrite K; lra). assert (v = k * m * v) by (rewrite K; lra). fold k.
+  split; lra.
 Qed.
 
 Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
@@ -430,12 +457,157 @@ Proof.
       rewrite K. rewrite <- E. unfold f. ring.
 Qed.
 
-(* A distance: the shapes have one, which rounds to what is checked, a tie up. *)
-Theorem distance_rounds count i1 j1 i2 j2 : measured (ra + rb) d count i1 j1 i2 j2 -> exists m, 0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\
-  (forall u v s t, in_a u v -> in_b s t -> m <= sqrt (square_apart u v s t)) /\
-  (exists u v s t, in_a u v /\ in_b s t /\ sqrt (square_apart u v s t) = m).
+(* No point of A - B without the radii lies beyond the line that no vertex is beyond. *)
+Lemma behind_all dx dy h p q p' q' : behind dx dy h -> in_hull na ax ay p q -> in_hull nb bx bl p' q' ->
+  IZR dx * (IZR x + p - p') + IZR dy * (IZR y + q - q') <= IZR h.
 Proof.
-  intros (dx & dy & h & F & B & (H & C) & R1 & R2).
+  intros B P P'. apply le_epsilon. intros e X. apply Rlt_le.
+  assert (V : forall i j, (i < na)%nat -> (j < nb)%nat -> IZR dx * IZR (ax i) + IZR dy * IZR (ay i) <
+    IZR h + e - IZR dx * IZR x - IZR dy * IZR y + IZR dx * IZR (bx j) + IZR dy * IZR (bl j)).
+  { intros i j I J. specialize (B i j I J). unfold dot in B. apply IZR_le in B.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in B. lra. }
+  assert (Y : forall j, (j < nb)%nat -> - IZR dx * IZR (bx j) + - IZR dy * IZR (bl j) <
+    IZR h + e - IZR dx * IZR x - IZR dy * IZR y - IZR dx * p - IZR dy * q).
+  { intros j J. pose proof (hull_below na ax ay p q _ _ _ P (fun i I => V i j I J)). lra. }
+  pose proof (hull_below nb bx bl p' q' _ _ _ P' Y). lra.
+Qed.
+
+(* Along a direction of length l the radii add at most that often to what points of the hulls are apart. *)
+Lemma widened l dx dy h u v s t : 0 <= l -> IZR dx * IZR dx + IZR dy * IZR dy = l * l -> behind dx dy h -> in_a u v ->
+  in_b s t -> IZR dx * (u - s) + IZR dy * (v - t) <= IZR h + l * (IZR ra + IZR rb).
+Proof.
+  intros L LL B (p & q & P & E) (p' & q' & P' & E'). destruct radii as (RA & RB & D). apply IZR_le in RA, RB.
+  rewrite !plus_IZR in *. pose proof (behind_all dx dy h p q p' q' B P P') as V.
+  pose proof (cauchy l (IZR ra) (IZR dx) (IZR dy) _ _ L RA LL E) as A1.
+  assert (E2 : (- (s - IZR cx - p')) * (- (s - IZR cx - p')) + (- (t - IZR cy - q')) * (- (t - IZR cy - q')) <=
+    IZR rb * IZR rb) by lra.
+  pose proof (cauchy l (IZR rb) (IZR dx) (IZR dy) _ _ L RB LL E2) as A2. lra.
+Qed.
+
+(* A number c, the cosine times the length of a vector nearly 1 long, whose sine times its length is s. *)
+Lemma unit_close k s t c : 0 < k <= 1 / 1024 -> 0 <= c -> t * t + s * s <= 255 / 256 * (k * k) -> c * c + s * s = 1 + 2 * t ->
+  (c - 1) * (c - 1) + s * s <= k * k.
+Proof.
+  intros (K0 & K) C T N. pose proof (Rle_0_sqr t) as TT. pose proof (Rle_0_sqr s) as SS. unfold Rsqr in *.
+  assert (KK : 0 < k * k) by (apply Rmult_lt_0_compat; exact K0).
+  assert (T1 : - k <= t <= k).
+  { split; apply Rnot_lt_le; intros X; [assert (Y : k < - t) by lra | assert (Y : k < t) by lra];
+      pose proof (Rmult_le_0_lt_compat _ _ _ _ (Rlt_le _ _ K0) (Rlt_le _ _ K0) Y Y); lra. }
+  assert (K3 : 0 < k * (k * k)) by (apply Rmult_lt_0_compat; assumption).
+  assert (K4 : k * (k * k) <= 1 / 1024 * (k * k)) by (apply Rmult_le_compat_r; lra).
+  assert (C1 : 1 - 2 * k <= c).
+  { apply Rnot_lt_le. intros X. pose proof (Rmult_le_0_lt_compat _ _ _ _ C C X X) as Y.
+    assert (k * k <= 1 / 1024 * k) by (apply Rmult_le_compat_r; lra). lra. }
+  set (m := Rabs (c - 1)). set (a := Rabs t). assert (A : a * a = t * t) by (unfold a; rewrite <- Rabs_mult; apply Rabs_pos_eq; exact TT).
+  assert (M : m * m = (c - 1) * (c - 1)) by (unfold m; rewrite <- Rabs_mult; apply Rabs_pos_eq; apply Rle_0_sqr).
+  assert (A0 : 0 <= a) by apply Rabs_pos. assert (M0 : 0 <= m) by apply Rabs_pos.
+  assert (A1 : a <= k) by (unfold a; apply Rabs_le; lra).
+  assert (P : m * (2 - 2 * k) <= 2 * a + s * s).
+  { apply Rle_trans with (m * (c + 1)); [apply Rmult_le_compat_l; lra |].
+    replace (m * (c + 1)) with (Rabs (2 * t - s * s)).
+    2: { unfold m. rewrite <- (Rabs_pos_eq (c + 1)) at 1 by lra. rewrite <- Rabs_mult. f_equal. lra. }
+    unfold a. apply Rabs_le. pose proof (Rle_abs t). pose proof (Rle_abs (- t)). rewrite Rabs_Ropp in *. lra. }
+  set (b := a + s * s / 2). assert (Q : m * (1 - k) <= b) by (unfold b; lra).
+  assert (Q0 : 0 <= m * (1 - k)) by (apply Rmult_le_pos; lra).
+  assert (R : (m * (1 - k)) * (m * (1 - k)) <= b * b) by (apply Rmult_le_compat; assumption).
+  assert (S1 : s * s <= k * k) by lra.
+  assert (S2 : a * (s * s) <= k * (k * k)) by (apply Rmult_le_compat; assumption).
+  assert (S3 : (s * s) * (s * s) <= (k * k) * (k * k)) by (apply Rmult_le_compat; assumption).
+  assert (S4 : (k * k) * (k * k) <= 1 / 1024 * (k * (k * k))).
+  { replace ((k * k) * (k * k)) with (k * (k * (k * k))) by ring. apply Rmult_le_compat_r; lra. }
+  assert (B : b * b <= t * t + 2 * (k * (k * k))).
+  { unfold b. replace ((a + s * s / 2) * (a + s * s / 2)) with (a * a + a * (s * s) + (s * s) * (s * s) / 4) by field. lra. }
+  assert (E : (1 - 2 * k) * (m * m) <= b * b).
+  { apply Rle_trans with ((m * (1 - k)) * (m * (1 - k))); [| exact R].
+    replace ((m * (1 - k)) * (m * (1 - k))) with ((1 - 2 * k) * (m * m) + (m * k) * (m * k)) by ring.
+    pose proof (Rle_0_sqr (m * k)). unfold Rsqr in *. lra. }
+  rewrite <- M. apply Rmult_le_reg_l with (1 - 2 * k); [lra |].
+  assert (0 <= 2 * k * (s * s)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+(* A normal of Q2.30 that the check takes is within 2^-28 of the direction. *)
+Lemma unit_along dx dy u v l : along_unit dx dy u v -> 0 < l -> IZR dx * IZR dx + IZR dy * IZR dy = l * l ->
+  (IZR u / 2 ^ 30 - IZR dx / l) * (IZR u / 2 ^ 30 - IZR dx / l) + (IZR v / 2 ^ 30 - IZR dy / l) * (IZR v / 2 ^ 30 - IZR dy / l) <=
+  (1 / 2 ^ 28) * (1 / 2 ^ 28).
+Proof.
+  intros (SX & SY & H) L LL.
+  assert (sign : forall a b, same_sign a b -> 0 <= IZR a * IZR b).
+  { intros a b (Z & P & N). destruct (Z_dec a 0) as [[X | X] | X].
+    - specialize (N X). apply IZR_lt in X. apply IZR_le in N. replace (IZR a * IZR b) with (- IZR a * - IZR b) by ring.
+      apply Rmult_le_pos; lra.
+    - specialize (P X). apply Z.gt_lt, IZR_lt in X. apply IZR_le in P. apply Rmult_le_pos; lra.
+    - rewrite X. simpl. lra. }
+  apply sign in SX, SY. clear sign. unfold cross, dot in H. apply IZR_le in H.
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in H. rewrite LL in H.
+  change (2 ^ 62)%Z with (2 ^ Z.of_nat 62)%Z in H. change (2 ^ 60)%Z with (2 ^ Z.of_nat 60)%Z in H.
+  change (2 ^ 58)%Z with (2 ^ Z.of_nat 58)%Z in H. rewrite <- !pow_IZR in H.
+  set (p := IZR u / 2 ^ 30). set (q := IZR v / 2 ^ 30). set (ex := IZR dx / l). set (ey := IZR dy / l).
+  assert (U : IZR u = 2 ^ 30 * p) by (unfold p; field). assert (V : IZR v = 2 ^ 30 * q) by (unfold q; field).
+  assert (X : IZR dx = l * ex) by (unfold ex; field; lra). assert (Y : IZR dy = l * ey) by (unfold ey; field; lra).
+  rewrite U in H, SX. rewrite V in H, SY. rewrite X in H, SX. rewrite Y in H, SY.
+  assert (E : ex * ex + ey * ey = 1).
+  { apply Rmult_eq_reg_l with (l * l); [| apply Rgt_not_eq; apply Rmult_lt_0_compat; exact L].
+    transitivity (IZR dx * IZR dx + IZR dy * IZR dy); [rewrite X, Y; ring | lra]. }
+  clearbody p q ex ey. clear U V X Y LL.
+  set (s := p * ey - q * ex). set (n := p * p + q * q). set (c := p * ex + q * ey).
+  assert (C : 0 <= c).
+  { apply Rmult_le_reg_l with (2 ^ 30 * l); [apply Rmult_lt_0_compat; [lra | exact L] |]. unfold c.
+    replace (2 ^ 30 * l * (p * ex + q * ey)) with (l * ex * (2 ^ 30 * p) + l * ey * (2 ^ 30 * q)) by ring. lra. }
+  assert (D : c * c + s * s = n).
+  { unfold c, s, n. transitivity ((p * p + q * q) * (ex * ex + ey * ey)); [ring | rewrite E; ring]. }
+  assert (G : 4 * (s * s) + (n - 1) * (n - 1) <= 255 / 2 ^ 62).
+  { apply Rmult_le_reg_l with (2 ^ 120 * (l * l)).
+    - apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; exact L].
+    - replace (2 ^ 120 * (l * l) * (255 / 2 ^ 62)) with (255 * 2 ^ 58 * (l * l)) by field.
+      replace (2 ^ 120 * (l * l) * (4 * (s * s) + (n - 1) * (n - 1))) with
+        (2 ^ 62 * ((2 ^ 30 * p * (l * ey) - 2 ^ 30 * q * (l * ex)) * (2 ^ 30 * p * (l * ey) - 2 ^ 30 * q * (l * ex))) +
+        (2 ^ 30 * p * (2 ^ 30 * p) + 2 ^ 30 * q * (2 ^ 30 * q) - 2 ^ 60) *
+        (2 ^ 30 * p * (2 ^ 30 * p) + 2 ^ 30 * q * (2 ^ 30 * q) - 2 ^ 60) * (l * l)) by (unfold s, n; ring). exact H. }
+  replace ((p - ex) * (p - ex) + (q - ey) * (q - ey)) with ((c - 1) * (c - 1) + s * s).
+  2: { unfold c, s. transitivity ((p * p + q * q) * (ex * ex + ey * ey) - 2 * (p * ex + q * ey) + 1); [ring |].
+    rewrite E. transitivity (p * p + q * q - 2 * (p * ex + q * ey) + (ex * ex + ey * ey)); [rewrite E; ring | ring]. }
+  apply (unit_close (1 / 2 ^ 28) s ((n - 1) / 2) c); [lra | exact C | lra | lra].
+Qed.
+
+(* Points that are checked are as far apart as the shapes, to 2 LSB. *)
+Lemma far_points h r x1 y1 g l n : as_far (- h) n r x1 y1 -> 0 < l -> l * l = IZR n -> g * l = - IZR h -> 0 <= g -> IZR r < g ->
+  g - IZR r - 2 <= sqrt (IZR x1 * IZR x1 + IZR y1 * IZR y1) <= g - IZR r + 2.
+Proof.
+  intros (e & E & A & B & P & Q) L LL G G0 R. unfold eighths in *. apply Z.nle_gt, IZR_lt in B. apply IZR_le in E, A, P.
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in *. rewrite <- LL, <- G in A, B. simpl in P.
+  assert (cancel : forall a b, a * a * (l * l) <= b * b * (l * l) -> a * a <= b * b).
+  { intros a b H. apply Rmult_le_reg_r with (l * l); [apply Rmult_lt_0_compat; exact L | exact H]. }
+  assert (A1 : IZR e <= 8 * g).
+  { apply Rnot_lt_le. intros X. assert (Y : IZR e * IZR e <= 8 * g * (8 * g)) by (apply cancel; lra).
+    pose proof (Rmult_le_0_lt_compat (8 * g) (IZR e) (8 * g) (IZR e) ltac:(lra) ltac:(lra) X X). lra. }
+  assert (B1 : 8 * g < IZR e + 1).
+  { apply Rnot_le_lt. intros X. pose proof (Rmult_le_compat (IZR e + 1) (8 * g) (IZR e + 1) (8 * g) ltac:(lra) ltac:(lra) X X) as Y.
+    apply (Rmult_le_compat_r (l * l)) in Y; [lra | apply Rlt_le, Rmult_lt_0_compat; exact L]. }
+  set (D2 := IZR x1 * IZR x1 + IZR y1 * IZR y1) in *.
+  assert (D0 : 0 <= D2) by (pose proof (Rle_0_sqr (IZR x1)); pose proof (Rle_0_sqr (IZR y1)); unfold Rsqr, D2 in *; lra).
+  set (D := sqrt D2). assert (DD : D * D = D2) by (apply sqrt_sqrt; exact D0). assert (D1 : 0 <= D) by apply sqrt_pos.
+  assert (DE : D2 = IZR x1 * IZR x1 + IZR y1 * IZR y1) by reflexivity. clearbody D2 D. clear cancel A B. split.
+  - destruct (Z_lt_le_dec 15 (e - 8 * r)) as [H | H].
+    + specialize (Q H). apply IZR_le in Q. apply IZR_lt in H. repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in *.
+      assert (IZR e - 8 * IZR r - 15 <= 8 * D); [| lra]. apply Rnot_lt_le. intros X.
+      pose proof (Rmult_le_0_lt_compat (8 * D) (IZR e - 8 * IZR r - 15) (8 * D) (IZR e - 8 * IZR r - 15) ltac:(lra) ltac:(lra) X X). lra.
+    + apply IZR_le in H. rewrite minus_IZR, mult_IZR in H. lra.
+  - assert (8 * D <= IZR e - 8 * IZR r + 16); [| lra]. apply Rnot_lt_le. intros X.
+    pose proof (Rmult_le_0_lt_compat (IZR e - 8 * IZR r + 16) (8 * D) (IZR e - 8 * IZR r + 16) (8 * D) ltac:(lra) ltac:(lra) X X). lra.
+Qed.
+
+(* A distance: the shapes have one, which rounds to what is checked, a tie up. Points of A and of B are so far apart along a
+   direction of length 1, from which the normal (p, q) of Q2.30 is within 2^-28. The points that are reported, (gx, gy) apart,
+   are as far apart, to 2 LSB, unless they are saturated. *)
+Theorem distance_rounds count i1 j1 i2 j2 p q saturated gx gy :
+  measured (ra + rb) d count i1 j1 i2 j2 p q saturated gx gy -> exists m ex ey,
+  0 < m /\ IZR d - 1 / 2 <= m < IZR d + 1 / 2 /\ ex * ex + ey * ey = 1 /\
+  (forall u v s t, in_a u v -> in_b s t -> m <= sqrt (square_apart u v s t)) /\
+  (exists u v s t, in_a u v /\ in_b s t /\ s - u = m * ex /\ t - v = m * ey) /\
+  square_apart (IZR p / 2 ^ 30) (IZR q / 2 ^ 30) ex ey <= (1 / 2 ^ 28) * (1 / 2 ^ 28) /\
+  (saturated = 0%Z -> m - 2 <= sqrt (IZR gx * IZR gx + IZR gy * IZR gy) <= m + 2).
+Proof.
+  intros (dx & dy & h & F & (B & (H & C) & R1 & R2) & N & Far).
   pose proof radii as (RA & RB & D). apply IZR_le in RA, RB, D.
   set (l := sqrt (IZR dx * IZR dx + IZR dy * IZR dy)).
   assert (L0 : 0 <= l) by apply sqrt_pos.
@@ -462,33 +634,110 @@ Proof.
       pose proof (Rmult_le_0_lt_compat _ _ _ _ H0 H0 X X) as Y.
       apply (Rmult_lt_compat_r (l * l)) in Y; [| apply Rmult_lt_0_compat; exact L].
       replace (2 * g * (2 * g) * (l * l)) with (4 * (g * l) * (g * l)) in Y by ring. rewrite G in Y. lra. }
-  exists (g - (IZR ra + IZR rb)). split; [lra |]. split; [lra |]. split.
-  - intros u v s t (p & q & P & E) (p' & q' & P' & E'). rewrite !plus_IZR in *.
-    assert (V : forall e, 0 < e -> forall i j, (i < na)%nat -> (j < nb)%nat -> IZR dx * IZR (ax i) + IZR dy * IZR (ay i) <
-      IZR h + e - IZR dx * IZR x - IZR dy * IZR y + IZR dx * IZR (bx j) + IZR dy * IZR (bl j)).
-    { intros e X i j I J. specialize (B i j I J). unfold dot in B. apply IZR_le in B.
-      repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in B. lra. }
-    assert (V' : IZR dx * (IZR x + p - p') + IZR dy * (IZR y + q - q') <= IZR h).
-    { apply le_epsilon. intros e X. apply Rlt_le.
-      assert (Y : forall j, (j < nb)%nat -> - IZR dx * IZR (bx j) + - IZR dy * IZR (bl j) <
-        IZR h + e - IZR dx * IZR x - IZR dy * IZR y - IZR dx * p - IZR dy * q).
-      { intros j J. pose proof (hull_below na ax ay p q _ _ _ P (fun i I => V e X i j I J)). lra. }
-      pose proof (hull_below nb bx bl p' q' _ _ _ P' Y). lra. }
+  assert (E : IZR dx / l * (IZR dx / l) + IZR dy / l * (IZR dy / l) = 1).
+  { transitivity ((IZR dx * IZR dx + IZR dy * IZR dy) / (l * l)); [field; lra |]. rewrite LL. field. lra. }
+  exists (g - (IZR ra + IZR rb)), (IZR dx / l), (IZR dy / l). split; [lra |]. split; [lra |]. split; [exact E |].
+  assert (LN : l * l = IZR (dot dx dy dx dy)) by (unfold dot; rewrite plus_IZR, !mult_IZR; lra).
+  split; [| split; [| split; [exact (unit_along dx dy p q l N L LL) |]]].
+  - intros u v s t PA PB. pose proof (widened l dx dy h u v s t L0 LL B PA PB) as A1.
     assert (S : 0 <= square_apart u v s t).
     { pose proof (Rle_0_sqr (u - s)). pose proof (Rle_0_sqr (v - t)). unfold Rsqr, square_apart in *. lra. }
-    set (n := sqrt (square_apart u v s t)). assert (N : n * n = square_apart u v s t) by (apply sqrt_sqrt; exact S).
+    set (n := sqrt (square_apart u v s t)). assert (N1 : n * n = square_apart u v s t) by (apply sqrt_sqrt; exact S).
     assert (N0 : 0 <= n) by apply sqrt_pos.
-    pose proof (cauchy l (IZR ra) (IZR dx) (IZR dy) _ _ L0 RA LL E) as A1.
-    assert (E2 : (- (s - IZR cx - p')) * (- (s - IZR cx - p')) + (- (t - IZR cy - q')) * (- (t - IZR cy - q')) <=
-      IZR rb * IZR rb) by lra.
-    pose proof (cauchy l (IZR rb) (IZR dx) (IZR dy) _ _ L0 RB LL E2) as A2.
-    assert (E3 : (- (u - s)) * (- (u - s)) + (- (v - t)) * (- (v - t)) <= n * n) by (unfold square_apart in N; lra).
+    assert (E3 : (- (u - s)) * (- (u - s)) + (- (v - t)) * (- (v - t)) <= n * n) by (unfold square_apart in N1; lra).
     pose proof (cauchy l n (IZR dx) (IZR dy) _ _ L0 N0 LL E3) as A3.
     apply Rmult_le_reg_l with l; [exact L |]. lra.
   - destruct (feature_point _ _ _ _ _ dx dy h l F H L LL) as (u & v & X & Y). fold g in Y.
-    destruct (difference_exact u v g X Y G0 ltac:(lra)) as (e & f & s & t & A & Z & S).
-    exists e, f, s, t. split; [exact A |]. split; [exact Z |]. rewrite S.
-    replace (g - IZR ra - IZR rb) with (g - (IZR ra + IZR rb)) by lra. apply sqrt_square. lra.
+    destruct X as (p1 & q1 & s1 & t1 & HA & HB & U1 & V1). pose proof (behind_all dx dy h p1 q1 s1 t1 B HA HB) as W1.
+    rewrite <- U1, <- V1 in W1.
+    (* The point is at most -g along the direction and g from the origin, so it is -g times the direction. *)
+    assert (Z : (u + g * (IZR dx / l)) * (u + g * (IZR dx / l)) + (v + g * (IZR dy / l)) * (v + g * (IZR dy / l)) <= 0).
+    { replace ((u + g * (IZR dx / l)) * (u + g * (IZR dx / l)) + (v + g * (IZR dy / l)) * (v + g * (IZR dy / l)))
+        with (u * u + v * v + 2 * g * ((IZR dx * u + IZR dy * v) / l) +
+          g * g * (IZR dx / l * (IZR dx / l) + IZR dy / l * (IZR dy / l))) by (field; lra).
+      rewrite Y, E. assert (I : (IZR dx * u + IZR dy * v) / l <= - g).
+      { apply Rmult_le_reg_r with l; [exact L |].
+        replace ((IZR dx * u + IZR dy * v) / l * l) with (IZR dx * u + IZR dy * v) by (field; lra). lra. }
+      assert (2 * g * ((IZR dx * u + IZR dy * v) / l) <= 2 * g * - g) by (apply Rmult_le_compat_l; lra). lra. }
+    pose proof (Rle_0_sqr (u + g * (IZR dx / l))) as Z1. pose proof (Rle_0_sqr (v + g * (IZR dy / l))) as Z2. unfold Rsqr in Z1, Z2.
+    assert (U2 : u + g * (IZR dx / l) = 0) by (apply Rplus_sqr_eq_0_l with (v + g * (IZR dy / l)); unfold Rsqr; lra).
+    assert (V2 : v + g * (IZR dy / l) = 0) by (apply Rplus_sqr_eq_0_l with (u + g * (IZR dx / l)); unfold Rsqr; lra).
+    assert (X : in_difference u v) by (exists p1, q1, s1, t1; auto).
+    destruct (difference_exact u v g X Y G0 ltac:(lra)) as (e & f & s & t & A & Z0 & S & T).
+    exists e, f, s, t. split; [exact A |]. split; [exact Z0 |]. rewrite S, T.
+    replace u with (- g * (IZR dx / l)) by lra. replace v with (- g * (IZR dy / l)) by lra.
+    split; field; lra.
+  - intros S. pose proof (far_points h (ra + rb) gx gy g l _ (Far S) L LN G (Rlt_le _ _ G0)) as W2. rewrite plus_IZR in W2.
+    apply W2. lra.
+Qed.
+
+(* A point (p, q) that is checked is within 1 LSB of its shape, of which (x1, y1) is the centre and r the radius. *)
+Theorem point_near n vx vy x1 y1 p q r : beside_vertex n vx vy (x1 - p) (y1 - q) (r + 1) \/
+  beside_edge n vx vy (x1 - p) (y1 - q) (r + 1) -> in_shape n vx vy (IZR x1) (IZR y1) (IZR r + 1) (IZR p) (IZR q).
+Proof.
+  intros [(i & I & H) | (i & k & I & K & (F & G) & H)].
+  - exists (IZR (vx i)), (IZR (vy i)). split; [apply hull_vertex; exact I |]. unfold near_point in H. apply IZR_le in H.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in H. lra.
+  - unfold near_line, dot, cross in *. apply IZR_le in H. apply IZR_lt in F. apply Z.gt_lt, IZR_lt in G.
+    repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in *.
+    destruct (foot_near _ _ _ _ (IZR r + 1) F G H) as (h & (H0 & H1) & D).
+    pose proof (hull_mean n vx vy (1 - h) h 0 _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+      (hull_vertex n vx vy i I) (hull_vertex n vx vy k K) (hull_vertex n vx vy i I)) as M.
+    eexists _, _. split; [exact M |]. eapply Rle_trans; [| exact D]. apply Req_le. ring.
+Qed.
+
+Lemma root_most s t n l : at_most_root s t n -> 0 <= l -> l * l = IZR n -> IZR s <= IZR t * l.
+Proof.
+  intros H L LL. destruct H as [(T & [S | S]) | (T & S & H)].
+  - apply IZR_le in T, S. assert (0 <= IZR t * l) by (apply Rmult_le_pos; assumption). lra.
+  - apply IZR_le in T, S. rewrite !mult_IZR, <- LL in S. apply Rnot_lt_le. intros G.
+    assert (P : 0 <= IZR t * l) by (apply Rmult_le_pos; assumption). pose proof (Rmult_le_0_lt_compat _ _ _ _ P P G G). lra.
+  - apply IZR_lt in T, S. apply IZR_le in H. rewrite !mult_IZR, <- LL in H. apply Rnot_lt_le. intros G.
+    assert (P : 0 <= - IZR s) by lra. assert (Q : - IZR s < - IZR t * l) by lra.
+    pose proof (Rmult_le_0_lt_compat _ _ _ _ P P Q Q). lra.
+Qed.
+
+(* The length of a direction. *)
+Lemma length dx dy : (0 < dot dx dy dx dy)%Z -> exists l, 0 < l /\ IZR dx * IZR dx + IZR dy * IZR dy = l * l /\
+  l * l = IZR (dot dx dy dx dy).
+Proof.
+  intros N. apply IZR_lt in N. exists (sqrt (IZR (dot dx dy dx dy))). split; [apply sqrt_lt_R0; exact N |].
+  rewrite sqrt_sqrt by lra. split; [| reflexivity]. unfold dot. rewrite plus_IZR, !mult_IZR. reflexivity.
+Qed.
+
+(* A depth is enough: along some direction of length 1, from which the normal (p, q) of Q2.30 is within 2^-28, no point of A
+   is more than that far beyond any point of B. *)
+Theorem depth_enough p q : enough (ra + rb) d p q -> exists ex ey, ex * ex + ey * ey = 1 /\
+  (forall u v s t, in_a u v -> in_b s t -> ex * (u - s) + ey * (v - t) <= IZR d) /\
+  square_apart (IZR p / 2 ^ 30) (IZR q / 2 ^ 30) ex ey <= (1 / 2 ^ 28) * (1 / 2 ^ 28).
+Proof.
+  intros (dx & dy & h & N & B & A & W). destruct (length dx dy N) as (l & L & LL & LN).
+  pose proof (root_most _ _ _ l A (Rlt_le _ _ L) LN) as R. rewrite minus_IZR, plus_IZR in R.
+  exists (IZR dx / l), (IZR dy / l). split.
+  { transitivity ((IZR dx * IZR dx + IZR dy * IZR dy) / (l * l)); [field; lra |]. rewrite LL. field. lra. }
+  split; [| exact (unit_along dx dy p q l W L LL)].
+  intros u v s t PA PB. pose proof (widened l dx dy h u v s t (Rlt_le _ _ L) LL B PA PB) as V.
+  apply Rmult_le_reg_l with l; [exact L |].
+  replace (l * (IZR dx / l * (u - s) + IZR dy / l * (v - t))) with (IZR dx * (u - s) + IZR dy * (v - t)) by (field; lra). lra.
+Qed.
+
+(* Moved by the depth along the normal (p, q) of Q2.30, each component rounded away from 0, B has no point within A: along
+   some direction no point of A is beyond any of B. *)
+Theorem move_parts depth p q : moved (ra + rb) depth p q -> exists tx ty dx dy, steps tx depth p /\ steps ty depth q /\
+  0 < IZR dx * IZR dx + IZR dy * IZR dy /\ forall u v s t, in_a u v -> in_b s t ->
+  IZR dx * (u - (s + IZR tx)) + IZR dy * (v - (t + IZR ty)) <= 0.
+Proof.
+  intros (tx & ty & SX & SY & dx & dy & h & N & B & G & C). destruct (length dx dy N) as (l & L & LL & LN).
+  exists tx, ty, dx, dy. split; [exact SX |]. split; [exact SY |]. split; [rewrite LL; apply Rmult_lt_0_compat; exact L |].
+  intros u v s t PA PB. pose proof (widened l dx dy h u v s t (Rlt_le _ _ L) LL B PA PB) as V.
+  destruct radii as (RA & RB & D). apply IZR_le in RA, RB, G, C.
+  rewrite !mult_IZR, plus_IZR, <- LN in C.
+  assert (K : IZR (dot dx dy tx ty - h) = IZR dx * IZR tx + IZR dy * IZR ty - IZR h).
+  { unfold dot. rewrite minus_IZR, plus_IZR, !mult_IZR. reflexivity. }
+  rewrite K in G, C. set (k := IZR dx * IZR tx + IZR dy * IZR ty - IZR h) in *.
+  assert (W : (IZR ra + IZR rb) * l <= k).
+  { apply Rnot_lt_le. intros X. pose proof (Rmult_le_0_lt_compat _ _ _ _ G G X X). lra. }
+  unfold k in W. lra.
 Qed.
 
 End Vertices.
@@ -497,3 +746,6 @@ Print Assumptions apart.
 Print Assumptions together.
 Print Assumptions circles_apart.
 Print Assumptions distance_rounds.
+Print Assumptions point_near.
+Print Assumptions depth_enough.
+Print Assumptions move_parts.

@@ -17,6 +17,7 @@
       axiom shift3: \forall integer x; 8 * down(x, 3) <= x < 8 * down(x, 3) + 8;
       axiom shift16: \forall integer x; 0x10000 * down(x, 16) <= x < 0x10000 * down(x, 16) + 0x10000;
       axiom shift27: \forall integer x; 0x8000000 * down(x, 27) <= x < 0x8000000 * down(x, 27) + 0x8000000;
+      axiom shift30: \forall integer x; 0x40000000 * down(x, 30) <= x < 0x40000000 * down(x, 30) + 0x40000000;
       axiom shift31: \forall integer x; 0x80000000 * down(x, 31) <= x < 0x80000000 * down(x, 31) + 0x80000000;
       axiom shift32: \forall integer x; 0x100000000 * down(x, 32) <= x < 0x100000000 * down(x, 32) + 0x100000000;
       axiom shift33: \forall integer x; 0x200000000 * down(x, 33) <= x < 0x200000000 * down(x, 33) + 0x200000000;

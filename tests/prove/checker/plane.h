@@ -4,6 +4,7 @@
 
 #include "geometry.h"
 #include "gjk2/check.h"
+#include "src/plane/gjk2_claim.h"
 #include "src/plane/gjk2_search.h"
 #include "wide.h"
 
@@ -204,6 +205,7 @@ static bool has_foot(const gjk2_vec *p, const gjk2_vec *q);
     assigns s->d.x, s->d.y, s->base;
     ensures \result == 0 || \result == 1;
     ensures \result == 1 ==> LINE(s);
+    ensures \result == 1 ==> 1 <= certificate->count <= 2;
     ensures feature: \result == 1 ==> FEATURE(s, certificate); */
 static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificate);
 
@@ -211,6 +213,7 @@ static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificat
     assigns s->d.x, s->d.y, s->base;
     ensures \result == 0 || \result == 1;
     ensures \result == 1 ==> LINE(s) && behind(COUNTS(s), s->d.x, s->d.y, s->base);
+    ensures \result == 1 ==> 1 <= certificate->count <= 2;
     ensures feature: \result == 1 ==> FEATURE(s, certificate); */
 static bool plane_is_nearest(gjk2_search *s, const gjk2_certificate *certificate);
 
@@ -296,14 +299,49 @@ static bool plane_is_together(const gjk2_search *s, const gjk2_certificate *cert
     ensures \result == 1 <==> rounded(height, squared, distance); */
 static bool plane_rounds_to(uint64_t height, uint64_t squared, uint32_t distance);
 
+// (u, v) of Q2.30 is a unit vector along d: 2^62 (sine)^2 + (its square - 2^60)^2 is at most 255/16 2^62.
+/*@ predicate same_sign(integer d, integer u) = (d == 0 ==> u == 0) && (d > 0 ==> 0 <= u) && (d < 0 ==> u <= 0);
+    predicate along_unit(integer dx, integer dy, integer u, integer v) = same_sign(dx, u) && same_sign(dy, v) &&
+      0x4000000000000000 * (cross(u, v, dx, dy) * cross(u, v, dx, dy)) + (dot(u, v, u, v) - 0x1000000000000000) *
+        (dot(u, v, u, v) - 0x1000000000000000) * dot(dx, dy, dx, dy) <= 0x3fc000000000000000 * dot(dx, dy, dx, dy); */
+
+#define MOST_UNIT 0x40000004
+#define UNIT(n) (n).x, (n).y
+#define GAP(d) (d).point_b.x - (d).point_a.x, (d).point_b.y - (d).point_a.y
+
+/*@ requires DIRECTION(n) && 0 < dot(n.x, n.y, n.x, n.y) && \valid_read(normal);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> -MOST_UNIT <= normal->x <= MOST_UNIT && -MOST_UNIT <= normal->y <= MOST_UNIT;
+    ensures along: \result == 1 ==> along_unit(n.x, n.y, normal->x, normal->y); */
+bool gjk2_claim_normal(gjk2_vec n, const gjk2_unit *normal);
+
+// 8 h / |d| is at least e, where square is |d|^2; and the points are as far apart as the shapes, to 2 LSB: e is 8 times the
+// distance of the cores, rounded down.
+/*@ predicate eighths(integer h, integer square, integer e) = e * e * square <= 64 * (h * h);
+    predicate eighths_apart(integer e, integer x, integer y) = 64 * (x * x + y * y) <= (e + 16) * (e + 16) &&
+      (15 < e ==> (e - 15) * (e - 15) <= 64 * (x * x + y * y));
+    predicate as_far(integer h, integer square, integer r, integer x, integer y) = \exists integer e;
+      0 <= e && eighths(h, square, e) && !eighths(h, square, e + 1) && eighths_apart(e - 8 * r, x, y);
+    predicate points_as_far(integer dx, integer dy, integer h, integer r, integer saturated, integer x, integer y) =
+      saturated == 0 ==> as_far(-h, dot(dx, dy, dx, dy), r, x, y); */
+
 // The distance of A and B, with r for both radii, is that of the line from the origin, rounded.
 /*@ predicate line_measures(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r,
         integer distance, integer dx, integer dy, integer h) =
       behind(a, b, x, y, na, nb, dx, dy, h) && clear(dx, dy, h, r) && rounded(-h, dot(dx, dy, dx, dy), distance + r);
     predicate measured(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb, integer r,
-        integer distance, integer count, integer i, integer j, integer k, integer l) = \exists integer dx, dy, h;
+        integer distance, integer count, integer i, integer j, integer k, integer l, integer u, integer v,
+        integer saturated, integer gx, integer gy) = \exists integer dx, dy, h;
       feature(a, b, x, y, na, nb, count, i, j, k, l, dx, dy, h) &&
-      line_measures(a, b, x, y, na, nb, r, distance, dx, dy, h); */
+      line_measures(a, b, x, y, na, nb, r, distance, dx, dy, h) && along_unit(dx, dy, u, v) &&
+      points_as_far(dx, dy, h, r, saturated, gx, gy);
+    lemma measured: \forall gjk2_collider *a, *b, integer x, y, na, nb, r, distance, count, i, j, k, l, u, v, saturated, gx, gy, dx, dy, h;
+      feature(a, b, x, y, na, nb, count, i, j, k, l, dx, dy, h) &&
+      line_measures(a, b, x, y, na, nb, r, distance, dx, dy, h) && along_unit(dx, dy, u, v) &&
+      points_as_far(dx, dy, h, r, saturated, gx, gy) ==>
+      measured(a, b, x, y, na, nb, r, distance, count, i, j, k, l, u, v, saturated, gx, gy);
+    lemma line_length: \forall integer dx, dy, h; line(dx, dy, h) ==> 0 < dot(dx, dy, dx, dy); */
 
 /*@ requires \valid_read(s) && \valid_read(s->a) && \valid_read(s->b) && \valid_read(s->a->shape) && \valid_read(s->b->shape);
     requires -0x80000000 <= RADII(s->a, s->b) <= 0x7fffffff;
@@ -315,14 +353,78 @@ static inline int32_t gjk2_convex_radii(const gjk2_search *s);
     requires 0 <= s->radius <= 0x20000000 && s->radius == RADII(s->a, s->b);
     assigns s->d.x, s->d.y, s->base;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 ==> 0 <= result->distance;
+    ensures \result == 1 ==> 0 <= result->distance && result->distance + s->radius <= 0x7fffffff;
     ensures meet: \result == 1 && result->intersecting != 0 ==> result->distance == 0 && (enclosing(COUNTS(s)) ||
       near_vertex(COUNTS(s), s->radius) || near_edge(COUNTS(s), s->radius));
-    ensures apart: \result == 1 && result->intersecting == 0 ==>
-      measured(COUNTS(s), s->radius, result->distance, NAMES(result->certificate)); */
+    ensures \result == 1 && result->intersecting == 0 ==> 1 <= result->certificate.count <= 2;
+    ensures apart: \result == 1 && result->intersecting == 0 ==> LINE(s) && FEATURE(s, (&result->certificate)) &&
+      line_measures(COUNTS(s), s->radius, result->distance, s->d.x, s->d.y, s->base);
+    ensures rounded: \result == 1 && result->intersecting == 0 ==>
+      rounded(-s->base, dot(s->d.x, s->d.y, s->d.x, s->d.y), result->distance + s->radius); */
 static bool plane_proves_distance(gjk2_search *s, const gjk2_distance_result *result);
 
-/*@ assigns \nothing; */
+// A point of the hull's boundary that two vertices name is within r of the point, or one of them is; (x, y) is the centre
+// less the point.
+/*@ predicate beside_vertex(gjk2_collider *c, integer x, integer y, integer n, integer r) =
+      \exists integer i; 0 <= i < n && near_point(x + vx(c, i), y + vy(c, i), r);
+    predicate beside_edge(gjk2_collider *c, integer x, integer y, integer n, integer r) =
+      \exists integer i, k; 0 <= i < n && 0 <= k < n && foot(x + vx(c, i), y + vy(c, i), x + vx(c, k), y + vy(c, k)) &&
+        near_line(x + vx(c, i), y + vy(c, i), x + vx(c, k), y + vy(c, k), r); */
+#define BESIDE_SHAPE(c, p)                                                                                      \
+  (beside_vertex(c, (c)->centre.x - (p).x, (c)->centre.y - (p).y, (c)->count, (c)->shape->convex_radius + 1) || \
+   beside_edge(c, (c)->centre.x - (p).x, (c)->centre.y - (p).y, (c)->count, (c)->shape->convex_radius + 1))
+
+/*@ requires COLLIDER(c) && 0 <= c->shape->convex_radius <= 0x10000000 && 1 <= count <= 2;
+    requires \valid_read(named + (0 .. count - 1)) && \valid_read(point);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> BESIDE_SHAPE(c, *point); */
+bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned count, const gjk2_vec *point);
+
+#define END(x) ((x) == 0x7fffffff || (x) == -0x80000000)
+#define AT_END(p) (END((p).x) || END((p).y))
+
+/*@ requires COLLIDER(c) && 0 <= c->shape->convex_radius <= 0x10000000 && 1 <= count <= 2;
+    requires \valid_read(named + (0 .. count - 1)) && \valid_read(point);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> AT_END(*point); */
+bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigned count, const gjk2_vec *point);
+
+// The point is on the shape, to 1 LSB, or it is at an end of Q16.16 and may be saturated.
+#define HELD(c, p, saturated) (BESIDE_SHAPE(c, p) || (saturated != 0 && AT_END(p)))
+#define ROUNDED(c) (0 <= (c)->shape->convex_radius <= 0x10000000)
+
+/*@ requires READS(s) && ROUNDED(s->a) && ROUNDED(s->b) && \valid_read(c) && 1 <= c->count <= 2;
+    requires \valid_read(a) && \valid_read(b);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures of_a: \result == 1 ==> HELD(s->a, *a, saturated);
+    ensures of_b: \result == 1 ==> HELD(s->b, *b, saturated); */
+static bool plane_points_hold(const gjk2_search *s, const gjk2_certificate *c, const gjk2_vec *a, const gjk2_vec *b,
+                              bool saturated);
+
+/*@ requires \valid_read(s) && LINE(s) && \valid_read(a) && \valid_read(b) && 0 <= distance;
+    requires \valid_read(s->a) && \valid_read(s->b) && \valid_read(s->a->shape) && \valid_read(s->b->shape);
+    requires 0 <= RADII(s->a, s->b) <= 0x20000000 && distance + RADII(s->a, s->b) <= 0x7fffffff;
+    requires rounded(-s->base, dot(s->d.x, s->d.y, s->d.x, s->d.y), distance + RADII(s->a, s->b));
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> as_far(-s->base, dot(s->d.x, s->d.y, s->d.x, s->d.y), RADII(s->a, s->b), b->x - a->x, b->y - a->y); */
+bool gjk2_claim_gap(const gjk2_search *s, gjk_q16 distance, const gjk2_vec *a, const gjk2_vec *b);
+
+/*@ requires READS(s) && ROUNDED(s->a) && ROUNDED(s->b) && \valid_read(result);
+    requires 0 <= s->radius <= 0x20000000 && s->radius == RADII(s->a, s->b);
+    requires result->intersecting == 0 ==> LINE(s) && 1 <= result->certificate.count <= 2 && 0 <= result->distance;
+    requires result->intersecting == 0 ==> result->distance + s->radius <= 0x7fffffff;
+    requires result->intersecting == 0 ==> rounded(-s->base, dot(s->d.x, s->d.y, s->d.x, s->d.y), result->distance + s->radius);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures of_a: \result == 1 && result->intersecting == 0 ==> HELD(s->a, result->point_a, result->saturated);
+    ensures of_b: \result == 1 && result->intersecting == 0 ==> HELD(s->b, result->point_b, result->saturated);
+    ensures far: \result == 1 && result->intersecting == 0 ==>
+      points_as_far(s->d.x, s->d.y, s->base, s->radius, result->saturated, GAP(*result));
+    ensures \result == 1 && result->intersecting == 0 ==> along_unit(s->d.x, s->d.y, UNIT(result->normal)); */
 static bool plane_proves_points(const gjk2_search *s, const gjk2_distance_result *result);
 
 // The frame.
@@ -426,7 +528,9 @@ gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, g
     ensures \result == GJK_OK ==> 0 <= result->distance;
     ensures meet: \result == GJK_OK && result->intersecting != 0 ==> result->distance == 0 && TOGETHER(a, b, RADII(a, b));
     ensures apart: \result == GJK_OK && result->intersecting == 0 ==> measured(a, b, APART_X(a, b), APART_Y(a, b), a->count,
-      b->count, RADII(a, b), result->distance, NAMES(result->certificate)); */
+      b->count, RADII(a, b), result->distance, NAMES(result->certificate), UNIT(result->normal), result->saturated, GAP(*result));
+    ensures point_a: \result == GJK_OK && result->intersecting == 0 ==> HELD(a, result->point_a, result->saturated);
+    ensures point_b: \result == GJK_OK && result->intersecting == 0 ==> HELD(b, result->point_b, result->saturated); */
 gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, const gjk2_distance_result *result);
 
 #endif

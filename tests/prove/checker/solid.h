@@ -127,8 +127,4 @@
     predicate rounded3(integer n, integer m, integer f, integer k) =
       below_half(n, m, f, k) && (k == 0 || above_half(n, m, f, k)); */
 
-// s is at most t times the root of n.
-/*@ predicate at_most_root(integer s, integer t, integer n) =
-      (0 <= t && (s <= 0 || s * s <= t * t * n)) || (t < 0 && s < 0 && t * t * n <= s * s); */
-
 #endif
