@@ -240,6 +240,17 @@ static void check_refusals(random_state *random) {
   gjk_body_setup setup = {GJK_POSE_IDENTITY, of_body, 2, GJK_BODY_DYNAMIC, 0, 1, 1, 0, 0};
   gjk_body_id id, other;
   gjk_parts found;
+  // Constants that nobody made: a half extent below 0 or beyond the largest on each axis, and no body.
+  const gjk_shape made = shape;
+  for (unsigned i = 0; i < 6; i++) {
+    gjk_q16 *const half = i / 2 == 0 ? &shape.size.x : i / 2 == 1 ? &shape.size.y : &shape.size.z;
+    *half = i % 2 == 0 ? -1 : GJK_RADIUS_MAX + 1;
+    CHECK(gjk_scene_add(&scene, &setup, &id) == (i % 2 == 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_SIZE));
+    shape = made;
+  }
+  shape.user = NULL;
+  CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_ERROR_NULL);
+  shape = made;
   setup.pose.position.x = INT32_MAX - 4 * ONE;  // some rotation would take it out
   CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_ERROR_RANGE);
   setup.pose.position.x = 0;

@@ -2,6 +2,7 @@
 // quarter by quarter. Each query against the same asked of every segment alone, two-sided, with the contract read plainly.
 #include "gjk2/ground.h"
 
+#include "filled.h"
 #include "placed2.h"
 #include "plane.h"
 
@@ -647,9 +648,138 @@ static void check_statuses(void) {
   }
 }
 
+// What the makers refuse; only OK writes.
+static void check_makers(void) {
+  static const gjk2_vec two[2] = {{GJK_Q16(1), 0}, {0, 0}},
+                        apart[3] = {{GJK_Q16(4000), GJK_Q16(4000)}, {0, 0}, {GJK_Q16(-4000), GJK_Q16(-4000)}};
+  static const int16_t hill[3] = {0, INT16_MAX, 0};
+  static const uint8_t cell[1] = {0};
+  static const gjk2_tile empty[1] = {GJK2_TILE(0, 0)};
+  gjk2_index_box room[GJK2_INDEX_BOXES(2)];
+  gjk2_ground out;
+  gjk2_shape made;
+  gjk2_index index, other;
+  gjk2_polyline p = {two, 2, &index};
+  gjk2_heights h = {hill, 1, GJK2_GROUND_REACH, 13};
+  gjk2_tiles t = {cell, 1, 1, 4, 1, empty};
+  memset(&out, POISON, sizeof out);
+  memset(&made, POISON, sizeof made);
+  memset(&index, POISON, sizeof index);
+  CHECK(gjk2_index_build(&p, NULL, 9, &index) == GJK_ERROR_NULL &&
+        gjk2_index_build(&p, room, 9, NULL) == GJK_ERROR_NULL);
+  p.count = 0;
+  CHECK(gjk2_index_build(&p, room, 9, &index) == GJK_ERROR_EMPTY && is_untouched(&index, sizeof index));
+  CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_ERROR_EMPTY);
+  p.count = 2;
+  CHECK(gjk2_index_build(&p, room, GJK2_INDEX_BOXES(2), &index) == GJK_OK);
+  other = index;
+  p.index = &other;
+  other.corner.x++;
+  CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_ERROR_CORRUPT);
+  other = index;
+  other.segments++;
+  CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_ERROR_CORRUPT);
+  other = index;
+  room[0].upper_x--;
+  CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_ERROR_CORRUPT);
+  room[0].upper_x++;
+  CHECK(gjk2_ground_of_chain(&p, NULL, &made) == GJK_ERROR_NULL &&
+        gjk2_ground_of_chain(&p, &out, NULL) == GJK_ERROR_NULL);
+  // Each vertex and segment is within its limit, the box's corner is not.
+  p.vertices = apart;
+  p.count = 3;
+  p.index = NULL;
+  CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_ERROR_SIZE);
+  // Heights of 2^28: no vertex, and one beside a vertex within. A column beyond the last that fits.
+  h.heights = hill + 1;
+  CHECK(gjk2_ground_of_heights(&h, &out, &made) == GJK_ERROR_SIZE);
+  h.heights = hill;
+  h.count = 2;
+  CHECK(gjk2_ground_of_heights(&h, &out, &made) == GJK_ERROR_SIZE);
+  h.shift = 0;
+  h.width = GJK2_GROUND_REACH + 1;
+  CHECK(gjk2_ground_of_heights(&h, &out, &made) == GJK_ERROR_SIZE);
+  h.heights = NULL;
+  CHECK(gjk2_ground_of_heights(&h, &out, &made) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_of_tiles(&t, NULL, &made) == GJK_ERROR_NULL &&
+        gjk2_ground_of_tiles(&t, &out, NULL) == GJK_ERROR_NULL);
+  t.cells = NULL;
+  CHECK(gjk2_ground_of_tiles(&t, &out, &made) == GJK_ERROR_NULL);
+  t.cells = cell;
+  t.forms = NULL;
+  CHECK(gjk2_ground_of_tiles(&t, &out, &made) == GJK_ERROR_NULL &&
+        gjk2_ground_of_tiles(NULL, &out, &made) == GJK_ERROR_NULL);
+  CHECK(is_untouched(&out, sizeof out) && is_untouched(&made, sizeof made));
+}
+
+static void take_none(void *user, const gjk2_vec *from, const gjk2_vec *to, uint32_t segment) {
+  (void)from, (void)to, (void)segment;
+  ++*(unsigned *)user;
+}
+
+// What the queries refuse; nothing is written then.
+static void check_query_statuses(void) {
+  static const gjk2_vec two[2] = {{GJK_Q16(1), 0}, {0, 0}};
+  const gjk2_pose identity = GJK2_POSE_IDENTITY, far = {{0, INT32_MIN}, {GJK_Q30_ONE, 0}};
+  const gjk2_polyline p = {two, 2, NULL};
+  const gjk2_vec down = {0, -100}, below = {0, INT32_MIN};
+  const gjk2_cast_path path = {NULL, &down, 0}, sinks = {&below, NULL, 0};
+  const gjk2_aabb box = {{0, 0}, {1, 1}};
+  gjk2_ground level;
+  gjk2_shape made;
+  plane_body point, raw;
+  gjk2_distance_result away;
+  gjk2_chain_contact contact;
+  gjk2_cast_result hit;
+  uint32_t segment;
+  uint16_t count;
+  bool found;
+  unsigned seen = 0;
+  CHECK(gjk2_ground_of_chain(&p, &level, &made) == GJK_OK);
+  point.shape = raw.shape = (gjk2_shape)GJK2_POINT;
+  CHECK(gjk2_collider_init(&point.collider, &point.shape, NULL, 0) == GJK_OK);
+  CHECK(gjk2_collider_init(&raw.collider, &raw.shape, NULL, 0) == GJK_OK);
+  CHECK(gjk2_collider_pose(&point.collider, &identity) == GJK_OK);
+  const gjk2_collider *dot = &point.collider;
+  memset(&away, POISON, sizeof away);
+  memset(&contact, POISON, sizeof contact);
+  memset(&hit, POISON, sizeof hit);
+  memset(&segment, POISON, sizeof segment);
+  memset(&count, POISON, sizeof count);
+  memset(&found, 0, sizeof found);
+  CHECK(gjk2_ground_within(&level, &identity, dot, 0, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_distance(&level, &identity, dot, NULL, &segment, &found) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_distance(&level, &identity, dot, &away, NULL, &found) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_distance(&level, &identity, dot, &away, &segment, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_distance(&level, &far, dot, &away, &segment, &found) == GJK_ERROR_RANGE);
+  CHECK(gjk2_ground_distance(&level, &identity, &raw.collider, &away, &segment, &found) == GJK_ERROR_UNINITIALISED);
+  CHECK(gjk2_ground_contacts(&level, &identity, dot, 0, NULL, 1, &count) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_contacts(&level, &identity, dot, 0, &contact, 1, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_contacts(&level, &identity, dot, -1, &contact, 1, &count) == GJK_ERROR_NEGATIVE);
+  CHECK(gjk2_ground_contacts(&level, &identity, dot, GJK2_RADIUS_MAX + 1, &contact, 1, &count) == GJK_ERROR_RANGE);
+  CHECK(gjk2_ground_contacts(&level, &far, dot, -1, &contact, 1, &count) == GJK_ERROR_RANGE);
+  CHECK(gjk2_ground_cast(&level, &identity, dot, &path, NULL, &segment) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_cast(&level, &identity, dot, &path, &hit, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_cast(&level, &identity, dot, &sinks, &hit, &segment) == GJK_ERROR_RANGE);
+  CHECK(gjk2_ground_cast(&level, &identity, &raw.collider, &path, &hit, &segment) == GJK_ERROR_UNINITIALISED);
+  CHECK(gjk2_ground_cast_ray(&level, &identity, NULL, &down, &hit, &segment) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_cast_ray(&level, &identity, &down, NULL, &hit, &segment) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_cast_ray(&level, &identity, &down, &down, NULL, &segment) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_cast_ray(&level, &identity, &down, &down, &hit, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_cast_ray(&level, &far, &down, &down, &hit, &segment) == GJK_ERROR_RANGE);
+  CHECK(gjk2_ground_visit(&level, &identity, NULL, take_none, &seen) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_visit(&level, &identity, &box, NULL, &seen) == GJK_ERROR_NULL);
+  CHECK(gjk2_ground_visit(&level, &far, &box, take_none, &seen) == GJK_ERROR_RANGE && seen == 0);
+  CHECK(gjk2_ground_visit(&level, &identity, &box, take_none, &seen) == GJK_OK && seen == 1);
+  CHECK(is_untouched(&away, sizeof away) && is_untouched(&contact, sizeof contact) && is_untouched(&hit, sizeof hit));
+  CHECK(is_untouched(&segment, sizeof segment) && is_untouched(&count, sizeof count) && !found);
+}
+
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   check_statuses();
+  check_makers();
+  check_query_statuses();
   check_grids(&random);
   check_queries(&random);
   check_outlines(&random);

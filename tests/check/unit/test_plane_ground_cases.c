@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "filled.h"
 #include "gjk2/gjk2.h"
 #include "gjk2/ground.h"
 #include "placed2.h"
@@ -432,6 +433,49 @@ static void check_two_grounds(void) {
   CHECK(update() == 0);
   const gjk2_report pair = {.a = id[0], .b = id[1]};
   CHECK(gjk2_scene_ground_contacts(&scene, &pair, &contact, 1, &count) == GJK_ERROR_UNSUPPORTED);
+  // Of two grounds no contact either.
+  gjk2_manifold none;
+  none.count = 9;
+  CHECK(gjk2_scene_manifold(&scene, &pair, 2, &none) == GJK_OK && none.count == 0);
+}
+
+// What the calls about a scene's ground refuse; nothing is written then.
+static void check_refusals(void) {
+  static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
+  gjk2_chain_contact contact;
+  gjk2_manifold manifold;
+  gjk2_pose pose;
+  const gjk2_ground *found;
+  uint16_t count;
+  make_chain(level, 2);
+  make_scene(&origin, &dot, &origin, GJK_DETAIL_TOUCH);
+  memset(&contact, POISON, sizeof contact);
+  memset(&manifold, POISON, sizeof manifold);
+  memset(&pose, POISON, sizeof pose);
+  memset(&found, POISON, sizeof found);
+  memset(&count, POISON, sizeof count);
+  CHECK(gjk2_scene_ground(&scene, id[0], 0, NULL, &pose) == GJK_ERROR_NULL);
+  CHECK(gjk2_scene_ground(&scene, id[0], 0, &found, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_scene_ground(NULL, id[0], 0, &found, &pose) == GJK_ERROR_NULL);
+  CHECK(gjk2_scene_ground(&scene, id[0], 1, &found, &pose) == GJK_ERROR_RANGE);
+  CHECK(gjk2_scene_ground(&scene, id[1], 0, &found, &pose) == GJK_ERROR_UNSUPPORTED);
+  gjk_body_id gone = id[0];
+  gone.generation += 2;
+  CHECK(gjk2_scene_ground(&scene, gone, 0, &found, &pose) == GJK_ERROR_BODY_ID);
+  const gjk2_report good = {.a = id[0], .b = id[1]}, bodies = {.a = id[1], .b = id[1]}, old = {.a = gone, .b = id[1]},
+                    later = {.a = id[0], .b = gone}, part = {.a = id[0], .b = id[1], .part_b = 1};
+  CHECK(gjk2_scene_ground_contacts(&scene, NULL, &contact, 1, &count) == GJK_ERROR_NULL);
+  CHECK(gjk2_scene_ground_contacts(&scene, &good, NULL, 1, &count) == GJK_ERROR_NULL);
+  CHECK(gjk2_scene_ground_contacts(&scene, &good, &contact, 1, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk2_scene_ground_contacts(&scene, &bodies, &contact, 1, &count) == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk2_scene_ground_contacts(&scene, &old, &contact, 1, &count) == GJK_ERROR_BODY_ID);
+  CHECK(gjk2_scene_ground_contacts(&scene, &later, &contact, 1, &count) == GJK_ERROR_BODY_ID);
+  CHECK(gjk2_scene_ground_contacts(&scene, &part, &contact, 1, &count) == GJK_ERROR_RANGE);
+  CHECK(gjk2_scene_manifold(&scene, &good, 0, &manifold) == GJK_ERROR_RANGE);
+  CHECK(gjk2_scene_manifold(&scene, &good, GJK2_CONTACTS_MAX + 1, &manifold) == GJK_ERROR_RANGE);
+  CHECK(is_untouched(&contact, sizeof contact) && is_untouched(&manifold, sizeof manifold) &&
+        is_untouched(&pose, sizeof pose) && is_untouched(&found, sizeof found) && is_untouched(&count, sizeof count));
+  CHECK(gjk2_scene_ground(&scene, id[0], 0, &found, &pose) == GJK_OK && found == &ground);
 }
 
 // Shapes of ground that nobody made are refused or taken by what they say, up to the largest one.
@@ -490,6 +534,7 @@ int main(void) {
   check_passing();
   check_depth();
   check_two_grounds();
+  check_refusals();
   check_shapes();
   return check_done("plane ground cases");
 }
