@@ -513,7 +513,10 @@ static void check_faults(random_state *random) {
   bad[1] = bad[0];
   bad[1].data = &m.data[1].compound;
   CHECK(gjk_arm_bodies(arm, bad, 2) == GJK_ERROR_EMPTY);
-  arm->memory.pair_capacity = pairs;
+  const uint32_t room = arm->memory.pair_capacity;
+  arm->memory.pair_capacity = 0;
+  CHECK(gjk_arm_bodies(arm, bad, 1) == GJK_ERROR_CAPACITY && arm->pair_count == pairs);
+  arm->memory.pair_capacity = room < pairs ? room : pairs;
   CHECK(gjk_arm_bodies(arm, bad, UINT16_MAX) != GJK_OK && arm->pair_count == pairs);
   CHECK(gjk_arm_obstacles(arm, m.pieces, 1) == GJK_ERROR_CAPACITY && arm->pair_count == pairs);
   CHECK(gjk_arm_bodies(arm, NULL, 0) == GJK_OK && arm->pair_count == arm->self_count);

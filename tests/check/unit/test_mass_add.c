@@ -229,6 +229,10 @@ static void test_refusals(void) {
   part.inertia.xx--;
   pose.position.y = INT32_C(1) << 30;
   CHECK(gjk_mass_add(&body, &part, &pose) == GJK_OK);  // 2^59 and 2^58 together
+  kept = body;
+  body.inertia.xx = part.inertia.xx;
+  CHECK(gjk_mass_add(&body, &part, &pose) == GJK_ERROR_RANGE);  // each fits, not their sum
+  body = kept;
   gjk_principal axes;
   CHECK(gjk_mass_principal(NULL, &axes) == GJK_ERROR_NULL && gjk_mass_principal(&body, NULL) == GJK_ERROR_NULL);
   body.inertia.yz = -(INT64_C(1) << 60) - 1;

@@ -157,6 +157,12 @@ static void check_walls(void) {
   CHECK(gjk_parts_contacts(&body_of_walls, &far, 0, 0, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_contacts(&body_of_walls, &far, 0, 9, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 4, NULL, NULL, 1, &part) == GJK_ERROR_NULL);
+  gjk_manifold manifold;
+  unsigned count = 77;
+  CHECK(gjk_parts_manifolds(&body_of_walls, &b, -1, 4, NULL, &manifold, 1, &count) == GJK_ERROR_NEGATIVE &&
+        count == 77);
+  CHECK(gjk_parts_manifolds(&body_of_walls, &far, -1, 4, NULL, &manifold, 1, &count) == GJK_ERROR_NEGATIVE &&
+        count == 77);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 4, NULL, NULL, 0, &part) == GJK_ERROR_CAPACITY && part == 2);
 }
 

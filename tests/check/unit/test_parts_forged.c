@@ -219,6 +219,8 @@ static void test_arguments(void) {
                                   &path,    &at[0],   &at[1], &room,      &count,     &out};
   gjk_parts bad[5] = {body[0], body[0], body[0], body[0], body[0]};
   const gjk_status expected[5] = {GJK_ERROR_NULL, GJK_ERROR_NULL, GJK_ERROR_EMPTY, GJK_ERROR_ROTATION, GJK_ERROR_RANGE};
+  const gjk_vec3 far = {INT32_MAX, 0, 0};
+  gjk_cast_path paths[3] = {{NULL, NULL, -1}, {&far, NULL, 0}, {NULL, &far, 0}};
   bad[0].type = NULL;
   bad[1].data = NULL;
   bad[2].data = &nothing;
@@ -231,7 +233,11 @@ static void test_arguments(void) {
     }
     CHECK_MSG(taken == queries[query].takes, "query %u", query);
     const bool takes_body = refuses(query, usual, BODY_B, NULL, GJK_ERROR_NULL),
-               takes_collider = refuses(query, usual, B, NULL, GJK_ERROR_NULL);
+               takes_collider = refuses(query, usual, B, NULL, GJK_ERROR_NULL),
+               takes_path = refuses(query, usual, PATH, NULL, GJK_ERROR_NULL);
+    CHECK(refuses(query, usual, PATH, &paths[0], GJK_ERROR_NEGATIVE) == takes_path);
+    CHECK(refuses(query, usual, PATH, &paths[1], GJK_ERROR_RANGE) == takes_path);
+    CHECK(!takes_body || refuses(query, usual, PATH, &paths[2], GJK_ERROR_RANGE) == takes_path);
     CHECK(refuses(query, usual, B, &never, GJK_ERROR_UNINITIALISED) == takes_collider);
     for (unsigned i = 0; i < 5; i++) {
       const bool read = i < 3 || queries[query].posed;

@@ -237,6 +237,9 @@ static void test_refusals(void) {
   for (int i = 0; i < 4; i++) {
     CHECK(gjk2_mass_of_shape(&refused[i], &m) == GJK_ERROR_UNSUPPORTED);
   }
+  gjk2_shape untyped = square;
+  untyped.type = NULL;
+  CHECK(gjk2_mass_of_shape(&untyped, &m) == GJK_ERROR_NULL);
   CHECK(gjk2_mass_of_shape(NULL, &m) == GJK_ERROR_NULL && gjk2_mass_of_shape(&square, NULL) == GJK_ERROR_NULL);
   CHECK(gjk2_mass_of_shape(&none, &m) == GJK_ERROR_EMPTY && gjk2_mass_of_shape(&large, &m) == GJK_ERROR_SIZE);
   CHECK(gjk2_mass_of_shape(&negative, &m) == GJK_ERROR_NEGATIVE &&
@@ -265,6 +268,12 @@ static void test_refusals(void) {
   pose.position.x--;
   m.inertia = -1;
   CHECK(gjk2_mass_add(&body, &m, &pose) == GJK_ERROR_RANGE);
+  const gjk2_mass kept = body;
+  body.mass = 1;
+  body.centre.x -= GJK_Q16(1000);
+  m.inertia = body.inertia = INT64_C(1) << 60;
+  CHECK(gjk2_mass_add(&body, &m, &pose) == GJK_ERROR_RANGE);  // each fits, not both with what is between them
+  body = kept;
   m.inertia = 0;
   CHECK(gjk2_mass_add(&body, &m, &pose) == GJK_OK && body.mass == UINT32_MAX);
   m.area = UINT64_C(1) << 32;

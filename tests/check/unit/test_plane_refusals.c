@@ -83,6 +83,12 @@ static void check_shapes(void) {
   CHECK(memcmp(&c, &before, sizeof c) == 0);
   CHECK(gjk2_polygon_order(wide, 3, hull, &corners) == GJK_ERROR_SIZE && corners == 9);
   CHECK(gjk2_polygon_order(high, 3, hull, &corners) == GJK_ERROR_SIZE && corners == 9);
+  // A point alone has a pose of its own.
+  const gjk2_shape point = GJK2_POINT;
+  const gjk2_pose bent = {{0, 0}, {GJK_Q30_ONE, GJK_Q30_ONE}};
+  gjk2_collider alone;
+  CHECK(gjk2_collider_init(&alone, &point, NULL, 0) == GJK_OK);
+  CHECK(gjk2_collider_pose(&alone, &bent) == GJK_ERROR_ROTATION);
   c = placed2(&good, 0, 0);
   const gjk2_vec out = {0, INT32_MAX};
   CHECK(gjk2_collider_pose(NULL, &identity) == GJK_ERROR_NULL);
