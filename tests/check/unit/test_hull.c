@@ -202,6 +202,41 @@ static void test_statuses(void) {
   CHECK(gjk_hull_write_faces(&hull, corner, 24, end, 6, &faces) == GJK_OK && faces.count == 6);
 }
 
+// Facets of 30 corners, flat or of a prism: room for one number too few is refused at any size, what is needed is enough,
+// and nothing beyond the room is touched.
+static void test_rooms(void) {
+  enum { SIDES = 30, ROOM = 6 * 2 * SIDES };
+  static uint32_t workspace[GJK_HULL_WORKSPACE(2 * SIDES) / 4];
+  gjk_vec3 point[2 * SIDES];
+  uint16_t corner[ROOM], end[ROOM];
+  for (uint16_t levels = 1; levels <= 2; levels++) {
+    gjk_hull hull;
+    gjk_hull_faces faces;
+    for (int32_t i = 0; i < levels * SIDES; i++) {
+      const int32_t x = i % SIDES;
+      point[i] = (gjk_vec3){x, x * x, i / SIDES};
+    }
+    CHECK(gjk_hull_build(point, (uint16_t)(levels * SIDES), workspace, sizeof workspace, &hull) == GJK_OK);
+    CHECK(gjk_hull_write_faces(&hull, corner, ROOM, end, ROOM, &faces) == GJK_OK);
+    const uint16_t count = faces.count, corners = faces.end[count - 1];
+    CHECK_MSG(count == (levels == 1 ? 6 : SIDES + 6), "%u faces", count);  // 3 pieces of each of two facets
+    for (unsigned room = 0; room <= (unsigned)corners + count; room++) {
+      const bool of_corners = room <= corners;
+      const uint16_t given = (uint16_t)(of_corners ? room : room - corners), needed = of_corners ? corners : count;
+      uint16_t *const list = of_corners ? corner : end;
+      memset(corner, POISON, sizeof corner);
+      memset(end, POISON, sizeof end);
+      memset(&faces, POISON, sizeof faces);
+      const gjk_status status =
+          gjk_hull_write_faces(&hull, corner, of_corners ? given : ROOM, end, of_corners ? ROOM : given, &faces);
+      CHECK_MSG(status == (given < needed ? GJK_ERROR_CAPACITY : GJK_OK), "%u levels, room %u: %s", levels, room,
+                gjk_status_name(status));
+      CHECK(is_untouched(&list[given], (ROOM - given) * sizeof *list));
+      CHECK(status == GJK_OK ? faces.count == count : is_untouched(&faces, sizeof faces));
+    }
+  }
+}
+
 // 65,535 points: a lattice under a paraboloid, all of them extreme, whose squares are facets; and 27 places again and again.
 static void test_many(void) {
   static gjk_vec3 point[GJK_HULL_POINTS_MAX], vertex[GJK_HULL_POINTS_MAX];
@@ -369,6 +404,7 @@ int main(void) {
   test_prisms();
   test_hostile();
   test_statuses();
+  test_rooms();
   test_many();
   test_workspaces();
   test_faults();
