@@ -1,4 +1,5 @@
 // What all queries of bodies of many parts begin with.
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_rotation.h"
 #include "gjk_parts_class.h"
 
@@ -45,12 +46,17 @@ uint32_t gjk_parts_count(const gjk_parts *parts) {
 
 gjk_status gjk_parts_place(const gjk_parts *parts, uint32_t number, gjk_parts_room *room, gjk_collider *out) {
   gjk_parts_frame frame;
+  gjk_collider placed;
   if (room == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  const gjk_status status = gjk_parts_frame_set(&frame, parts);
-  if (status != GJK_OK) {
-    return status;
+  gjk_status status = gjk_parts_frame_set(&frame, parts);
+  if (status == GJK_OK) {
+    status =
+        number < parts->type->count(parts->data) ? gjk_parts_place_in(&frame, number, room, &placed) : GJK_ERROR_RANGE;
   }
-  return number < parts->type->count(parts->data) ? gjk_parts_place_in(&frame, number, room, out) : GJK_ERROR_RANGE;
+  if (status == GJK_OK) {  // a part that cannot be posed may be half written
+    gjk_copy(out, &placed, sizeof *out);
+  }
+  return status;
 }

@@ -198,7 +198,8 @@ static bool refuses(unsigned query, void *const usual[], unsigned argument, void
     return false;
   }
   CHECK_MSG(status == expected, "query %u, argument %u: %s", query, argument, gjk_status_name(status));
-  CHECK(is_untouched(&out, sizeof out) && is_untouched(&count, sizeof count) && is_untouched(&numbers, sizeof numbers));
+  CHECK_MSG(is_untouched(&out, sizeof out) && is_untouched(&count, sizeof count) && is_untouched(&numbers, sizeof numbers),
+            "query %u, argument %u", query, argument);
   return true;
 }
 
@@ -247,8 +248,33 @@ static void test_arguments(void) {
   }
 }
 
+// A part whose rotation was damaged after its compound was built: each query that meets it says so, and writes nothing.
+static void test_damaged(void) {
+  gjk_compound_part one = {&ball, GJK_POSE_IDENTITY}, other = {&ball, GJK_POSE_IDENTITY};
+  gjk_compound_node node[2];
+  gjk_compound compound[2];
+  gjk_collider b = posed(&ball, &still.from);
+  gjk_motion motion[2] = {still, still};
+  gjk_impact_setup setup = {0, GJK_PARTS_BOTH_TOLERANCE_MIN, 0};
+  gjk_cast_path path = {NULL, NULL, 0};
+  gjk_vec3 at[2] = {{0, 0, 0}, {0, 0, 0}};
+  CHECK(gjk_compound_build(&one, 1, &node[0], 1, &compound[0]) == GJK_OK);
+  CHECK(gjk_compound_build(&other, 1, &node[1], 1, &compound[1]) == GJK_OK);
+  one.pose.rotation.w = GJK_Q30_ONE / 2;
+  gjk_parts bad = GJK_PARTS_OF_COMPOUND(&compound[0]),
+            good[2] = {GJK_PARTS_OF_COMPOUND(&compound[1]), GJK_PARTS_OF_COMPOUND(&compound[1])};
+  void *const usual[ARGUMENTS] = {&good[0], &good[1], &b,     &motion[0], &motion[1], &setup,
+                                  &path,    &at[0],   &at[1], &room,      &count,     &out};
+  for (unsigned query = 0; query < sizeof queries / sizeof queries[0]; query++) {
+    CHECK_MSG(refuses(query, usual, A, &bad, GJK_ERROR_ROTATION), "query %u", query);
+    const bool takes_body = refuses(query, usual, BODY_B, NULL, GJK_ERROR_NULL);
+    CHECK_MSG(refuses(query, usual, BODY_B, &bad, GJK_ERROR_ROTATION) == takes_body, "query %u of two bodies", query);
+  }
+}
+
 int main(void) {
   test_arguments();
+  test_damaged();
   test_holes();
   test_changed_parts();
   test_nodes();
