@@ -198,8 +198,9 @@ static bool refuses(unsigned query, void *const usual[], unsigned argument, void
     return false;
   }
   CHECK_MSG(status == expected, "query %u, argument %u: %s", query, argument, gjk_status_name(status));
-  CHECK_MSG(is_untouched(&out, sizeof out) && is_untouched(&count, sizeof count) && is_untouched(&numbers, sizeof numbers),
-            "query %u, argument %u", query, argument);
+  CHECK_MSG(
+      is_untouched(&out, sizeof out) && is_untouched(&count, sizeof count) && is_untouched(&numbers, sizeof numbers),
+      "query %u, argument %u", query, argument);
   return true;
 }
 
