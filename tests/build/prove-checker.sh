@@ -89,7 +89,7 @@ run() {
 # The theorems of hull.v and solid.v, from nothing but the axioms of Coq's real numbers.
 theorems() {
   for file in hull solid; do
-    (cd "$dir" && coqc -q $spec/$file.v) >"$dir/$file.txt" 2>&1 || { tail -n 5 "$dir/$file.txt"; return 1; }
+    (cd "$dir" && coqc -q -Q $spec '' $spec/$file.v) >"$dir/$file.txt" 2>&1 || { tail -n 5 "$dir/$file.txt"; return 1; }
     sed -n 's/^\([A-Za-z_.][A-Za-z_.]*\) *:.*/\1/p; s/^\([A-Za-z_]*\.[A-Za-z_]*\)$/\1/p' "$dir/$file.txt" | sort -u >"$dir/$file.axioms"
     ! grep -vxE 'Axioms|ClassicalDedekindReals\.sig_(not|forall)_dec|FunctionalExtensionality\.functional_extensionality_dep' \
       "$dir/$file.axioms" && [ "$(grep -c '^Axioms:' "$dir/$file.txt")" = "$(grep -c '^Theorem' "$dir/$spec/$file.v")" ] || return 1

@@ -1,6 +1,8 @@
 (* From vertices to all points, in space: what the contract of space.h says of the vertices of two polytopes decides about
-   every point of the two shapes. The definitions over Z are those of geometry.h, solid.h and space.h, name by name. *)
+   every point of the two shapes. The definitions over Z are those of geometry.h, solid.h and space.h, name by name;
+   at_most_root is hull.v's. *)
 Require Import Reals Lra Psatz ZArith.
+Require hull.
 
 (* The sum of a triangle's shares is the square of twice its area; they weigh its vertices to where the normal meets it. *)
 Section Triangle.
@@ -81,7 +83,6 @@ Definition across3 (dx dy dz x y z n m : Z) := dot3 dx dy dz x y z * dot3 dx dy 
 Definition below_half (n m f k : Z) := 4 * n < (2 * k + 1) * f * ((2 * k + 1) * f) * m.
 Definition above_half (n m f k : Z) := (2 * k - 1) * f * ((2 * k - 1) * f) * m <= 4 * n.
 Definition rounded3 (n m f k : Z) := below_half n m f k /\ (k = 0 \/ above_half n m f k).
-Definition at_most_root (s t n : Z) := (0 <= t /\ (s <= 0 \/ s * s <= t * t * n)) \/ (t < 0 /\ s < 0 /\ t * t * n <= s * s).
 
 (* The same in the frame, of f units an LSB, where A's centre less B's is (x, y, z). *)
 Definition seat (x f p q : Z) := x + f * (p - q).
@@ -118,7 +119,7 @@ Definition measured3 (r distance : Z) := exists f n m dx dy dz wx wy wz, 1 <= f 
   support3 f dx dy dz wx wy wz /\ beyond_scaled dx dy dz wx wy wz f r /\
   across3 dx dy dz wx wy wz n m /\ rounded3 n m f (distance + r).
 Definition enough3 (r depth : Z) := exists f dx dy dz wx wy wz, 1 <= f /\ 0 < norm3 dx dy dz /\ support3 f dx dy dz wx wy wz /\
-  at_most_root (dot3 dx dy dz wx wy wz) ((depth - r) * f) (norm3 dx dy dz).
+  hull.at_most_root (dot3 dx dy dz wx wy wz) ((depth - r) * f) (norm3 dx dy dz).
 
 Open Scope R_scope.
 
@@ -662,17 +663,6 @@ Proof.
     replace (g - IZR ra - IZR rb) with (g - r) by (unfold r; lra). apply sqrt_square. lra.
 Qed.
 
-Lemma root_most s t n l : at_most_root s t n -> 0 <= l -> l * l = IZR n -> IZR s <= IZR t * l.
-Proof.
-  intros H L LL. destruct H as [(T & [S | S]) | (T & S & H)].
-  - apply IZR_le in T, S. assert (0 <= IZR t * l) by (apply Rmult_le_pos; assumption). lra.
-  - apply IZR_le in T, S. rewrite !mult_IZR, <- LL in S. apply Rnot_lt_le. intros G.
-    assert (P : 0 <= IZR t * l) by (apply Rmult_le_pos; assumption). pose proof (Rmult_le_0_lt_compat _ _ _ _ P P G G). lra.
-  - apply IZR_lt in T, S. apply IZR_le in H. rewrite !mult_IZR, <- LL in H. apply Rnot_lt_le. intros G.
-    assert (P : 0 <= - IZR s) by lra. assert (Q : - IZR s < - IZR t * l) by lra.
-    pose proof (Rmult_le_0_lt_compat _ _ _ _ P P Q Q). lra.
-Qed.
-
 (* A depth is enough: along some direction of length 1 no point of A is more than that far beyond any point of B. So B moved
    that far along the direction leaves no point of A beyond one of B. *)
 Theorem depth_enough3 : enough3 (ra + rb) d -> exists ux uy uz, ux * ux + uy * uy + uz * uz = 1 /\
@@ -684,7 +674,7 @@ Proof.
   assert (L : 0 < l). { destruct L0 as [| Z]; [assumption |]. exfalso. rewrite <- Z in LL. lra. }
   assert (LD : IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz = l * l).
   { rewrite LL. unfold norm3. rewrite !plus_IZR, !mult_IZR. reflexivity. }
-  pose proof (root_most _ _ _ l A L0 LL) as R. rewrite mult_IZR, minus_IZR, plus_IZR in R.
+  pose proof (hull.root_most _ _ _ l A L0 LL) as R. rewrite mult_IZR, minus_IZR, plus_IZR in R.
   exists (IZR dx / l), (IZR dy / l), (IZR dz / l). split.
   { transitivity ((IZR dx * IZR dx + IZR dy * IZR dy + IZR dz * IZR dz) / (l * l)); [field; lra |]. rewrite LD. field. lra. }
   intros u v w s t q (a & a' & a'' & HA & E1) (b & b' & b'' & HB & E2).
