@@ -14,23 +14,9 @@
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
 
-// The largest offset . d of the collider's vertices.
-static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d) {
-  int64_t largest = INT64_MIN;
-  gjk2_vec offset;
-  for (uint32_t i = 0; i < c->count; i++) {
-    if (!c->shape->type->vertex(c, (uint16_t)i, &offset)) {
-      break;  // not reached: there are count
-    }
-    const int64_t along = gjk2_dot(offset, d);
-    largest = along > largest ? along : largest;
-  }
-  return largest;
-}
-
 // The largest d . w of A - B.
 static int64_t support(const gjk2_search *s, gjk2_vec d) {
-  return gjk2_dot(s->delta, d) + plane_farthest(s->a, d) + plane_farthest(s->b, gjk2_negate(d));
+  return gjk2_dot(s->delta, d) + gjk2_claim_farthest(s->a, d) + gjk2_claim_farthest(s->b, gjk2_negate(d));
 }
 
 // The vertex of A - B with these offsets from the centres. Pre: a near frame.

@@ -1,6 +1,19 @@
 // Checks the points and the normal of an answer of the plane in exact integer arithmetic.
 #include "gjk2_claim.h"
 
+int64_t gjk2_claim_farthest(const gjk2_collider *c, gjk2_vec d) {
+  int64_t largest = INT64_MIN;
+  gjk2_vec offset;
+  for (uint32_t i = 0; i < c->count; i++) {
+    if (!c->shape->type->vertex(c, (uint16_t)i, &offset)) {
+      break;  // not reached: there are count
+    }
+    const int64_t along = gjk2_dot(offset, d);
+    largest = along > largest ? along : largest;
+  }
+  return largest;
+}
+
 // sum += x^2
 static void plane_add_square(gjk_u192 *sum, int64_t x) {
   gjk_u192 size, square;

@@ -5,6 +5,9 @@
 
 #include "gjk2_search.h"
 
+// The largest offset . d of the collider's vertices, visited one by one. Pre: components of d are at most 3 2^29 in size.
+int64_t gjk2_claim_farthest(const gjk2_collider *c, gjk2_vec d);
+
 // Is the normal within 2^-28 of n / |n|, and each of its components 0 or of the direction's sign? Pre: n != 0,
 // components at most 3 2^29 in size.
 bool gjk2_claim_normal(gjk2_vec n, const gjk2_unit *normal);

@@ -3,27 +3,16 @@
 //   1. A miss is proven by the bounding circles; by a vertex that the line of the way passes, with all others behind it; or by
 //      a direction along which all of A - B stays behind the way, at its start and at its end.
 //   2. A hit at the start is a decision, which gjk2_check_decision proves.
-//   3. A hit later, without radius: the facet bounds A - B, and the way passes through it at the fraction.
+//   3. A hit later, without radius: the facet bounds A - B, and the way passes through it at the fraction, rounded down.
 //   4. A hit later, with a radius: no miss by the line; not before the fraction, by the facet's direction; and at the fraction
 //      the gap is at most 2 LSB. That it comes within the radius at all: the gap falls at the start. At the end it is within
 //      the radius or grows, so that its least lies on the way; or the way has left the bounding circles.
 //   5. Points, normal and resting places are what follows from the facet and the fraction.
 // Vertices are visited one by one, whatever supports say.
-#include "../arith/gjk_root.h"
+#include "../plane/gjk2_claim.h"
 #include "../plane/gjk2_measure.h"
 #include "gjk2/check.h"
 #include "gjk2_cast_report.h"
-
-// The largest n . offset of a collider's vertices.
-static int64_t plane_farthest_of(const gjk2_collider *c, gjk2_vec n) {
-  int64_t most = INT64_MIN;
-  gjk2_vec offset;
-  for (uint32_t i = 0; i < c->count && c->shape->type->vertex(c, (uint16_t)i, &offset); i++) {
-    const int64_t along = gjk2_dot(n, offset);
-    most = along > most ? along : most;
-  }
-  return most;
-}
 
 static bool plane_name_span(const gjk2_way *way, const gjk2_cast_certificate *c, unsigned i, gjk2_span *out) {
   out->a.vertex = c->a[i];
@@ -60,14 +49,14 @@ static bool plane_passes_beside(const gjk2_way *way, const gjk2_cast_certificate
 // Step 1: the most of n . w, and n . t. False: a direction that no query reports.
 //   |n| < 2^30 + 4, or it is that of the way, which is short: both products are below 2^63
 static bool plane_along(const gjk2_way *way, gjk2_vec n, int64_t *most, int64_t *ahead) {
-  static const gjk2_vec origin = {0, 0};
+  const gjk2_vec origin = {0, 0};
   const uint32_t limit = (UINT32_C(1) << 30) + 4;
   const bool own = gjk2_equal(n, gjk2_negate(way->d));
-  if (gjk2_norm1(n) == 0 || gjk_magnitude32(n.x) > limit || gjk_magnitude32(n.y) > limit ||
+  if (gjk_magnitude32(n.x) > limit || gjk_magnitude32(n.y) > limit || gjk2_norm1(n) == 0 ||
       (!own && gjk2_dot(n, n) > (INT64_C(1) << 60) + (INT64_C(1) << 33))) {
     return false;
   }
-  *most = gjk2_way_along(way, n, origin) + plane_farthest_of(way->a, n) + plane_farthest_of(way->b, gjk2_negate(n));
+  *most = gjk2_way_along(way, n, origin) + gjk2_claim_farthest(way->a, n) + gjk2_claim_farthest(way->b, gjk2_negate(n));
   *ahead = gjk2_way_ahead(way, n);
   return true;
 }
@@ -80,8 +69,10 @@ static bool plane_is_behind(int64_t height, gjk2_vec n, int64_t radius) {
 static bool plane_stays_behind(const gjk2_way *way, const gjk2_vec *direction, int64_t radius) {
   const gjk2_vec n = {direction->x, direction->y};
   int64_t most, ahead;
-  return plane_along(way, n, &most, &ahead) && plane_is_behind(most, n, radius) &&
-         plane_is_behind(most - ahead, n, radius);
+  if (!plane_along(way, n, &most, &ahead)) {
+    return false;
+  }
+  return plane_is_behind(most, n, radius) && plane_is_behind(most - ahead, n, radius);
 }
 
 // Step 2.
@@ -115,6 +106,23 @@ static bool plane_follows(const gjk2_way *way, const gjk2_contact_place *place, 
          r->normal.y == expected.normal.y && r->saturated == expected.saturated;
 }
 
+// Is the portion's fraction num / den, rounded down? Sets exact. By products alone, so that no query's rounding is believed.
+// Pre: 0 <= num <= den < 2^63, 0 < den.
+//   2^30 num - fraction den = 2^32 high + low; both parts of high are below 2^62
+static bool plane_is_quotient(gjk2_portion *p) {
+  if (p->fraction < 0) {
+    return false;
+  }
+  const uint32_t den_high = (uint32_t)(p->den >> 32), den_low = (uint32_t)(p->den & UINT32_MAX);
+  const uint64_t lower = gjk_umul32((uint32_t)p->fraction, den_low);
+  const uint64_t upper = gjk_umul32((uint32_t)p->fraction, den_high) + (lower >> 32);
+  const uint32_t num_low = (uint32_t)(p->num & 3u) << 30, take_low = (uint32_t)(lower & UINT32_MAX);
+  const uint32_t low = num_low - take_low;
+  const int64_t high = (int64_t)(p->num >> 2) - (int64_t)upper - (num_low < take_low ? 1 : 0);
+  p->exact = high == 0 && low == 0;
+  return high >= 0 && (high < (int64_t)den_high || (high == (int64_t)den_high && low < den_low));
+}
+
 // Step 3.
 static bool plane_enters(const gjk2_way *way, const gjk2_span *p, const gjk2_span *q, const gjk2_cast_result *r) {
   const gjk2_vec n = {r->certificate.direction.x, r->certificate.direction.y};
@@ -132,9 +140,8 @@ static bool plane_enters(const gjk2_way *way, const gjk2_span *p, const gjk2_spa
   if (p != q) {
     place.weight = gjk2_ratio((uint64_t)-side_p, (uint64_t)(side_q - side_p), &exact);
   }
-  gjk2_portion portion = {(uint64_t)-most, (uint64_t)-ahead, 0, false};
-  portion.fraction = gjk2_ratio(portion.num, portion.den, &portion.exact);
-  return plane_follows(way, &place, &portion, r);
+  gjk2_portion portion = {(uint64_t)-most, (uint64_t)-ahead, r->fraction, false};
+  return plane_is_quotient(&portion) && plane_follows(way, &place, &portion, r);
 }
 
 // Step 4: how the gap changes at the start or the end, by the sign of *slope. False: the nearest feature is not proven.

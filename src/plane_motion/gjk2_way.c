@@ -152,7 +152,10 @@ void gjk2_way_scan(gjk2_way *way, gjk2_vec d, gjk2_span *out) {
 void gjk2_way_outermost_of(const gjk2_collider *c, const gjk2_long *t, bool left, gjk2_support *out) {
   int64_t most = INT64_MIN;
   gjk2_vec offset;
-  for (uint32_t i = 0; i < c->count && c->shape->type->vertex(c, (uint16_t)i, &offset); i++) {
+  for (uint32_t i = 0; i < c->count; i++) {
+    if (!c->shape->type->vertex(c, (uint16_t)i, &offset)) {
+      break;  // not reached: there are count
+    }
     const int64_t cross = t->x * offset.y - t->y * offset.x;  // |t| < 2^33, |offset| < 2^28: below 2^61
     const int64_t side = left ? cross : -cross;
     if (side > most) {

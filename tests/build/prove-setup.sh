@@ -325,7 +325,8 @@ set_up() {
         plane_way*) level=20 sources="$moved src/plane_motion/gjk2_entry.c" ;;
         plane_cast*)
           level=20 models='plane_distance plane_advance'
-          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_check_cast.c src/plane_motion/gjk2_entry.c"
+          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_check_cast.c src/plane_motion/gjk2_entry.c \
+            src/plane/gjk2_claim.c"
           ;;
         plane_advance*)
           level=2 models='plane_distance plane_face'

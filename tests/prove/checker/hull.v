@@ -70,6 +70,17 @@ Definition beside_edge (n : nat) (vx vy : nat -> Z) (x y r : Z) := exists i k, (
 Definition parted (r tx ty : Z) := exists dx dy h, 0 < dot dx dy dx dy /\ behind dx dy h /\ moves dx dy h r tx ty.
 Definition steps (t depth u : Z) := (0 <= u -> 2 ^ 30 * (t - 1) < depth * u <= 2 ^ 30 * t) /\
   (u < 0 -> 2 ^ 30 * t <= depth * u < 2 ^ 30 * (t + 1)).
+Definition stays_off (x tx r : Z) := (x > r /\ x - tx > r) \/ (x < - r /\ x - tx < - r).
+Definition foot_off (x y tx ty r : Z) :=
+  dot tx ty x y <= 0 \/ dot tx ty tx ty <= dot tx ty x y \/ farther (cross tx ty x y) r (dot tx ty tx ty).
+Definition circles_pass (tx ty r : Z) := stays_off x tx r \/ stays_off y ty r \/
+  (x * x + y * y > r * r /\ (x - tx) * (x - tx) + (y - ty) * (y - ty) > r * r /\ foot_off x y tx ty r).
+Definition passing (tx ty r : Z) := exists dx dy h, behind dx dy h /\ clear dx dy h r /\ clear dx dy (h - dot dx dy tx ty) r.
+Definition portion (num den f : Z) := f * den <= 2 ^ 30 * num < (f + 1) * den.
+Definition entered_by (tx ty px py qx qy dx dy h f : Z) := dot dx dy tx ty <= h < 0 /\ dot dx dy px py = h /\
+  dot dx dy qx qy = h /\ cross tx ty px py <= 0 <= cross tx ty qx qy /\ portion (- h) (- dot dx dy tx ty) f.
+Definition entering (tx ty f : Z) := exists i j k l px py qx qy dx dy h,
+  named i j px py /\ named k l qx qy /\ behind dx dy h /\ entered_by tx ty px py qx qy dx dy h f.
 Definition moved (r depth u v : Z) := exists tx ty, steps tx depth u /\ steps ty depth v /\ parted r tx ty.
 
 Open Scope R_scope.
@@ -359,6 +370,44 @@ Proof.
     exact (between_near _ _ _ _ r h R P Q H D).
 Qed.
 
+(* A shape whose vertices are at most c from its centre lies within c and its radius r of it. *)
+Lemma round_below n vx vy x0 y0 r c dx dy l u v : (0 <= c)%Z -> (0 <= r)%Z ->
+  (forall i, (i < n)%nat -> vx i * vx i + vy i * vy i <= c * c)%Z -> in_shape n vx vy x0 y0 (IZR r) u v -> 0 <= l ->
+  dx * dx + dy * dy = l * l -> dx * (u - x0) + dy * (v - y0) <= l * (IZR c + IZR r).
+Proof.
+  intros C R H (p & q & P & E) L LL. apply IZR_le in C, R.
+  assert (V : dx * p + dy * q <= l * IZR c).
+  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below n vx vy p q _ _ _ P). intros k K. specialize (H k K).
+    apply IZR_le in H. repeat rewrite ?mult_IZR, ?plus_IZR in H.
+    pose proof (cauchy l (IZR c) dx dy _ _ L C LL H). lra. }
+  pose proof (cauchy l (IZR r) dx dy _ _ L R LL E) as A. lra.
+Qed.
+
+(* B moved by (px, py): the circles are apart. *)
+Lemma centres_apart ca cb px py : (0 <= ca /\ 0 <= cb)%Z ->
+  (forall i, (i < na)%nat -> ax i * ax i + ay i * ay i <= ca * ca)%Z ->
+  (forall j, (j < nb)%nat -> bx j * bx j + bl j * bl j <= cb * cb)%Z ->
+  IZR (ca + cb + (ra + rb + d)) * IZR (ca + cb + (ra + rb + d)) <
+    (IZR x - px) * (IZR x - px) + (IZR y - py) * (IZR y - py) ->
+  forall u v s t, in_a u v -> in_b s t -> square_apart u v (s + px) (t + py) > IZR d * IZR d.
+Proof.
+  intros (CA & CB) HA HB F u v s t PA PB. destruct radii as (RA & RB & D).
+  set (X := IZR x - px) in *. set (Y := IZR y - py) in *.
+  set (l := sqrt (X * X + Y * Y)). assert (L : 0 <= l) by apply sqrt_pos.
+  assert (Q : 0 <= X * X + Y * Y) by (pose proof (Rle_0_sqr X); pose proof (Rle_0_sqr Y); unfold Rsqr in *; lra).
+  assert (LL : X * X + Y * Y = l * l) by (symmetry; apply sqrt_sqrt; exact Q).
+  assert (LN : - X * - X + - Y * - Y = l * l) by lra.
+  pose proof (round_below na ax ay _ _ ra ca (- X) (- Y) l u v CA RA HA PA L LN) as A.
+  pose proof (round_below nb bx bl _ _ rb cb X Y l s t CB RB HB PB L LL) as B.
+  apply IZR_le in D, CA, CB, RA, RB. repeat rewrite plus_IZR in *. rewrite LL in F.
+  set (m := IZR ca + IZR cb + (IZR ra + IZR rb + IZR d)) in *.
+  assert (M : m < l) by (apply Rnot_le_lt; intros G; pose proof (Rmult_le_compat _ _ _ _ L L G G); lra).
+  apply Rnot_le_gt. intros C. unfold square_apart in C.
+  pose proof (cauchy l (IZR d) X Y _ _ L D LL C) as W.
+  assert (l * m < l * l) by (apply Rmult_lt_compat_l; [unfold m in *; lra | exact M]).
+  assert (X * (IZR x - px) + Y * (IZR y - py) = l * l) by (unfold X, Y in *; lra). unfold m in *. lra.
+Qed.
+
 (* The circles: no vertex is farther than its core's radius from its centre. *)
 Theorem circles_apart (ca cb : Z) : (0 <= ca /\ 0 <= cb)%Z ->
   (forall i, (i < na)%nat -> ax i * ax i + ay i * ay i <= ca * ca)%Z ->
@@ -366,37 +415,9 @@ Theorem circles_apart (ca cb : Z) : (0 <= ca /\ 0 <= cb)%Z ->
   (x * x + y * y > (ca + cb + (ra + rb + d)) * (ca + cb + (ra + rb + d)))%Z ->
   forall u v s t, in_a u v -> in_b s t -> square_apart u v s t > IZR d * IZR d.
 Proof.
-  intros (CA & CB) HA HB F u v s t (p & q & P & E) (p' & q' & P' & E').
-  destruct radii as (RA & RB & D). apply IZR_le in CA, CB, RA, RB, D. apply Z.gt_lt, IZR_lt in F.
-  repeat rewrite ?mult_IZR, ?plus_IZR in F.
-  set (l := sqrt (IZR x * IZR x + IZR y * IZR y)).
-  assert (L : 0 <= l) by apply sqrt_pos.
-  assert (LL : IZR x * IZR x + IZR y * IZR y = l * l) by (symmetry; apply sqrt_sqrt; nra).
-  set (m := IZR ca + IZR cb + (IZR ra + IZR rb + IZR d)) in *.
-  assert (M : m < l) by nra.
-  assert (l0 : 0 < l) by (unfold m in *; lra).
-  assert (VA : forall k, (k < na)%nat ->
-    - IZR x * IZR (ax k) + - IZR y * IZR (ay k) <= l * IZR ca).
-  { intros k K. specialize (HA k K). apply IZR_le in HA. repeat rewrite ?mult_IZR, ?plus_IZR in HA.
-    apply cauchy; auto. rewrite <- LL. ring. }
-  assert (VB : forall k, (k < nb)%nat -> IZR x * IZR (bx k) + IZR y * IZR (bl k) <= l * IZR cb).
-  { intros k K. specialize (HB k K). apply IZR_le in HB. repeat rewrite ?mult_IZR, ?plus_IZR in HB.
-    apply cauchy; auto. }
-  assert (LA : - IZR x * p + - IZR y * q <= l * IZR ca).
-  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below na ax ay p q _ _ _ P). intros k K.
-    specialize (VA k K). lra. }
-  assert (LB : IZR x * p' + IZR y * q' <= l * IZR cb).
-  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below nb bx bl p' q' _ _ _ P'). intros k K.
-    specialize (VB k K). lra. }
-  rewrite !plus_IZR in *.
-  assert (E1 : (- (u - (IZR cx + IZR x) - p)) * (- (u - (IZR cx + IZR x) - p)) +
-    (- (v - (IZR cy + IZR y) - q)) * (- (v - (IZR cy + IZR y) - q)) <= IZR ra * IZR ra) by nra.
-  pose proof (cauchy l (IZR ra) (IZR x) (IZR y) _ _ L RA LL E1) as A.
-  pose proof (cauchy l (IZR rb) (IZR x) (IZR y) _ _ L RB LL E') as B.
-  unfold square_apart. apply Rnot_le_gt. intros C.
-  pose proof (cauchy l (IZR d) (IZR x) (IZR y) _ _ L D LL C) as W.
-  assert (l * m < l * l) by (apply Rmult_lt_compat_l; assumption).
-  unfold m in *. nra.
+  intros C HA HB F u v s t PA PB. apply Z.gt_lt, IZR_lt in F. repeat rewrite ?mult_IZR, ?(plus_IZR (x * x)) in F.
+  pose proof (centres_apart ca cb 0 0 C HA HB ltac:(lra) u v s t PA PB) as W.
+  replace (s + 0) with s in W by lra. replace (t + 0) with t in W by lra. exact W.
 Qed.
 
 (* A point of A - B at length m from the origin, with the radii taken off. *)
@@ -740,6 +761,155 @@ Proof.
   unfold k in W. lra.
 Qed.
 
+Lemma clear_below dx dy h r l : clear dx dy h r -> (0 <= r)%Z -> 0 <= l -> IZR dx * IZR dx + IZR dy * IZR dy = l * l ->
+  IZR r * l < - IZR h.
+Proof.
+  intros (H & F) R L LL. unfold farther, dot in F. apply IZR_lt in H. apply IZR_le in R. apply Z.gt_lt, IZR_lt in F.
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?opp_IZR in F. rewrite LL in F. apply Rnot_le_lt. intros G.
+  assert (P : 0 <= - IZR h) by lra. pose proof (Rmult_le_compat _ _ _ _ P P G G). lra.
+Qed.
+
+(* A miss by a direction: B moves by (tx, ty), and stays more than the margin d away at each fraction f of that. *)
+Theorem cast_passes tx ty : passing tx ty (ra + rb + d) -> forall f u v s t, 0 <= f <= 1 -> in_a u v -> in_b s t ->
+  square_apart u v (s + f * IZR tx) (t + f * IZR ty) > IZR d * IZR d.
+Proof.
+  intros (dx & dy & h & B & C & E) f u v s t F PA PB. destruct radii as (RA & RB & D).
+  set (l := sqrt (IZR dx * IZR dx + IZR dy * IZR dy)). assert (L : 0 <= l) by apply sqrt_pos.
+  assert (Q : 0 <= IZR dx * IZR dx + IZR dy * IZR dy).
+  { pose proof (Rle_0_sqr (IZR dx)). pose proof (Rle_0_sqr (IZR dy)). unfold Rsqr in *. lra. }
+  assert (LL : IZR dx * IZR dx + IZR dy * IZR dy = l * l) by (symmetry; apply sqrt_sqrt; exact Q).
+  pose proof (widened l dx dy h u v s t L LL B PA PB) as W.
+  assert (R : (0 <= ra + rb + d)%Z) by lia.
+  pose proof (clear_below dx dy _ _ l C R L LL) as C1. pose proof (clear_below dx dy _ _ l E R L LL) as E1.
+  unfold dot in E1. apply IZR_le in RA, RB, D. repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR in *.
+  apply Rnot_le_gt. intros N. unfold square_apart in N.
+  assert (N2 : (- (u - (s + f * IZR tx))) * (- (u - (s + f * IZR tx))) +
+    (- (v - (t + f * IZR ty))) * (- (v - (t + f * IZR ty))) <= IZR d * IZR d) by lra.
+  pose proof (cauchy l (IZR d) (IZR dx) (IZR dy) _ _ L D LL N2) as A.
+  set (m := IZR dx * IZR tx + IZR dy * IZR ty) in *. set (r := IZR ra + IZR rb + IZR d) in *.
+  assert (K : (1 - f) * (r * l) + f * (r * l) < (1 - f) * - IZR h + f * - (IZR h - m)).
+  { destruct (Rle_lt_dec f 0) as [Z | P].
+    - replace f with 0 by lra. lra.
+    - assert (f * (r * l) < f * - (IZR h - m)) by (apply Rmult_lt_compat_l; lra).
+      assert ((1 - f) * (r * l) <= (1 - f) * - IZR h) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (J : (1 - f) * - IZR h + f * - (IZR h - m) = f * m - IZR h) by ring.
+  assert (I : IZR dx * - (u - (s + f * IZR tx)) + IZR dy * - (v - (t + f * IZR ty)) =
+    f * m - (IZR dx * (u - s) + IZR dy * (v - t))) by (unfold m; ring).
+  assert (O : (1 - f) * (r * l) + f * (r * l) = l * (IZR ra + IZR rb) + l * IZR d) by (unfold r; ring). lra.
+Qed.
+
+(* A miss by the circles. *)
+Theorem circles_miss ca cb tx ty : (0 <= ca /\ 0 <= cb)%Z ->
+  (forall i, (i < na)%nat -> ax i * ax i + ay i * ay i <= ca * ca)%Z ->
+  (forall j, (j < nb)%nat -> bx j * bx j + bl j * bl j <= cb * cb)%Z ->
+  circles_pass tx ty (ca + cb + (ra + rb + d)) -> forall f u v s t, 0 <= f <= 1 -> in_a u v -> in_b s t ->
+  square_apart u v (s + f * IZR tx) (t + f * IZR ty) > IZR d * IZR d.
+Proof.
+  intros C HA HB H f u v s t F PA PB. apply (centres_apart ca cb _ _ C HA HB); [| exact PA | exact PB].
+  assert (R0 : (0 <= ca + cb + (ra + rb + d))%Z) by lia. apply IZR_le in R0.
+  set (r := (ca + cb + (ra + rb + d))%Z) in *. clearbody r. clear - F H R0.
+  assert (off : forall w z, stays_off w z r -> IZR r * IZR r < (IZR w - f * IZR z) * (IZR w - f * IZR z)).
+  { intros w z [(A & B) | (A & B)].
+    - apply Z.gt_lt, IZR_lt in A, B. rewrite minus_IZR in B. assert (G : IZR r < IZR w - f * IZR z).
+      { replace (IZR w - f * IZR z) with ((1 - f) * IZR w + f * (IZR w - IZR z)) by ring.
+        destruct (Rle_lt_dec f 0) as [Z | P]; [replace f with 0 by lra; lra |].
+        assert (f * IZR r < f * (IZR w - IZR z)) by (apply Rmult_lt_compat_l; lra).
+        assert ((1 - f) * IZR r <= (1 - f) * IZR w) by (apply Rmult_le_compat_l; lra). lra. }
+      apply Rmult_le_0_lt_compat; lra.
+    - apply IZR_lt in A, B. rewrite ?minus_IZR, ?opp_IZR in *. assert (G : IZR r < - (IZR w - f * IZR z)).
+      { replace (- (IZR w - f * IZR z)) with ((1 - f) * - IZR w + f * - (IZR w - IZR z)) by ring.
+        destruct (Rle_lt_dec f 0) as [Z | P]; [replace f with 0 by lra; lra |].
+        assert (f * IZR r < f * - (IZR w - IZR z)) by (apply Rmult_lt_compat_l; lra).
+        assert ((1 - f) * IZR r <= (1 - f) * - IZR w) by (apply Rmult_le_compat_l; lra). lra. }
+      replace ((IZR w - f * IZR z) * (IZR w - f * IZR z)) with (- (IZR w - f * IZR z) * - (IZR w - f * IZR z)) by ring.
+      apply Rmult_le_0_lt_compat; lra. }
+  destruct H as [H | [H | (A & B & H)]].
+  - pose proof (off _ _ H). pose proof (Rle_0_sqr (IZR y - f * IZR ty)). unfold Rsqr in *. lra.
+  - pose proof (off _ _ H). pose proof (Rle_0_sqr (IZR x - f * IZR tx)). unfold Rsqr in *. lra.
+  - clear off. apply Z.gt_lt, IZR_lt in A, B. rewrite !plus_IZR, !mult_IZR in A, B. rewrite !minus_IZR in B.
+    set (n := IZR tx * IZR tx + IZR ty * IZR ty). set (m := IZR tx * IZR x + IZR ty * IZR y).
+    assert (N : 0 <= n) by (pose proof (Rle_0_sqr (IZR tx)); pose proof (Rle_0_sqr (IZR ty)); unfold Rsqr, n in *; lra).
+    set (g := (IZR x - f * IZR tx) * (IZR x - f * IZR tx) + (IZR y - f * IZR ty) * (IZR y - f * IZR ty)).
+    assert (G : g = IZR x * IZR x + IZR y * IZR y - 2 * f * m + f * f * n) by (unfold g, m, n; ring).
+    assert (FF : 0 <= f * f * n) by (apply Rmult_le_pos; [apply Rmult_le_pos |]; lra).
+    unfold foot_off, farther, dot, cross in H. destruct H as [H | [H | H]].
+    + apply IZR_le in H. rewrite plus_IZR, !mult_IZR in H. fold m in H.
+      assert (0 <= f * - m) by (apply Rmult_le_pos; lra). lra.
+    + apply IZR_le in H. rewrite !plus_IZR, !mult_IZR in H. fold m n in H.
+      assert (I : g = (IZR x - IZR tx) * (IZR x - IZR tx) + (IZR y - IZR ty) * (IZR y - IZR ty) +
+        2 * ((1 - f) * (m - n)) + (1 - f) * (1 - f) * n) by (rewrite G; unfold m, n; ring).
+      assert (0 <= (1 - f) * (m - n)) by (apply Rmult_le_pos; lra).
+      assert (0 <= (1 - f) * (1 - f) * n) by (apply Rmult_le_pos; [apply Rmult_le_pos |]; lra). lra.
+    + apply Z.gt_lt, IZR_lt in H. rewrite !mult_IZR, plus_IZR, minus_IZR, !mult_IZR in H. fold n in H.
+      set (c := IZR tx * IZR y - IZR ty * IZR x) in *.
+      assert (I : g * n = (m - f * n) * (m - f * n) + c * c) by (unfold g, n, m, c; ring).
+      pose proof (Rle_0_sqr (m - f * n)) as S. unfold Rsqr in S.
+      apply Rnot_le_lt. intros W. pose proof (Rmult_le_compat_r n _ _ N W). lra.
+Qed.
+
+(* A hit later, of shapes without radius and margin: they meet at a fraction of the way that is f / 2^30, rounded down, and
+   never before. *)
+Theorem cast_enters tx ty f : (ra = 0 /\ rb = 0)%Z -> entering tx ty f -> exists g, 0 <= g <= 1 /\
+  IZR f <= 2 ^ 30 * g < IZR f + 1 /\ (exists u v, in_a u v /\ in_b (u - g * IZR tx) (v - g * IZR ty)) /\
+  forall e u v s t, 0 <= e < g -> in_a u v -> in_b s t -> square_apart u v (s + e * IZR tx) (t + e * IZR ty) > 0.
+Proof.
+  intros (ZA & ZB) (i & j & k & m & px & py & qx & qy & dx & dy & h & P & Q & B & (T & H) & HP & HQ & (SP & SQ) & F0 & F1).
+  apply named_in in P, Q. unfold dot, cross in *. apply IZR_le in T, SP, SQ, F0. apply IZR_lt in H, F1.
+  apply (f_equal IZR) in HP, HQ.
+  repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in *.
+  assert (T30 : 2 ^ 30 = IZR (2 ^ 30)) by (rewrite pow_IZR; reflexivity). rewrite <- T30 in F0, F1.
+  set (n := - (IZR dx * IZR tx + IZR dy * IZR ty)) in *. assert (N : 0 < n) by (unfold n; lra).
+  set (g := - IZR h / n). assert (G : g * n = - IZR h) by (unfold g; field; lra).
+  assert (G0 : 0 < g) by (apply Rmult_lt_reg_r with n; lra).
+  assert (G1 : g <= 1) by (apply Rmult_le_reg_r with n; [exact N |]; rewrite G; unfold n; lra).
+  exists g. split; [lra |]. split.
+  { split; [apply Rmult_le_reg_r with n | apply Rmult_lt_reg_r with n]; try exact N;
+      replace (2 ^ 30 * g * n) with (2 ^ 30 * (g * n)) by ring; rewrite G; unfold n in *; lra. }
+  split.
+  - (* The point of the edge that lies on the line of the way. *)
+    set (sp := IZR tx * IZR py - IZR ty * IZR px) in *. set (sq := IZR tx * IZR qy - IZR ty * IZR qx) in *.
+    assert (X : exists w, 0 <= w <= 1 /\ (1 - w) * sp + w * sq = 0).
+    { destruct (Req_dec (sq - sp) 0) as [Z | Z].
+      - exists 0. split; lra.
+      - exists (- sp / (sq - sp)). assert (0 < sq - sp) by lra. split.
+        + split; [apply Rmult_le_reg_r with (sq - sp) | apply Rmult_le_reg_r with (sq - sp)]; try assumption;
+            replace (- sp / (sq - sp) * (sq - sp)) with (- sp) by (field; lra); lra.
+        + field. lra. }
+    destruct X as (w & W & Z).
+    pose proof (difference_mean (1 - w) w 0 _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) P Q P) as M.
+    set (u := (1 - w) * IZR px + w * IZR qx + 0 * IZR px) in *. set (v := (1 - w) * IZR py + w * IZR qy + 0 * IZR py) in *.
+    assert (C : IZR tx * v - IZR ty * u = 0) by (rewrite <- Z; unfold u, v, sp, sq; ring).
+    assert (D : IZR dx * u + IZR dy * v = IZR h).
+    { replace (IZR dx * u + IZR dy * v) with ((1 - w) * (IZR dx * IZR px + IZR dy * IZR py) +
+        w * (IZR dx * IZR qx + IZR dy * IZR qy)) by (unfold u, v; ring). rewrite HP, HQ. ring. }
+    assert (U : u = g * IZR tx).
+    { apply Rmult_eq_reg_r with n; [| lra]. replace (g * IZR tx * n) with (g * n * IZR tx) by ring. rewrite G, <- D.
+      replace (u * n) with (- (IZR dx * u + IZR dy * v) * IZR tx + IZR dy * (IZR tx * v - IZR ty * u)) by (unfold n; ring).
+      rewrite C. ring. }
+    assert (V : v = g * IZR ty).
+    { apply Rmult_eq_reg_r with n; [| lra]. replace (g * IZR ty * n) with (g * n * IZR ty) by ring. rewrite G, <- D.
+      replace (v * n) with (- (IZR dx * u + IZR dy * v) * IZR ty - IZR dx * (IZR tx * v - IZR ty * u)) by (unfold n; ring).
+      rewrite C. ring. }
+    destruct M as (p & q & s & t & HA & HB & U1 & V1).
+    exists (IZR (cx + x) + p), (IZR (cy + y) + q). unfold in_a, in_b. rewrite ZA, ZB. split.
+    + exists p, q. split; [exact HA | apply Req_le; ring].
+    + exists s, t. split; [exact HB | apply Req_le].
+      rewrite <- U, <- V, U1, V1, !plus_IZR. ring.
+  - intros e u v s t E PA PB.
+    destruct radii as (RA & RB & _).
+    set (l := sqrt (IZR dx * IZR dx + IZR dy * IZR dy)). assert (L : 0 <= l) by apply sqrt_pos.
+    assert (LL : IZR dx * IZR dx + IZR dy * IZR dy = l * l).
+    { symmetry. apply sqrt_sqrt. pose proof (Rle_0_sqr (IZR dx)). pose proof (Rle_0_sqr (IZR dy)). unfold Rsqr in *. lra. }
+    pose proof (widened l dx dy h u v s t L LL B PA PB) as W. rewrite ZA, ZB in W.
+    unfold square_apart. set (a := u - (s + e * IZR tx)). set (b := v - (t + e * IZR ty)).
+    assert (K : IZR dx * a + IZR dy * b <= IZR h + e * n).
+    { replace (IZR dx * a + IZR dy * b) with (IZR dx * (u - s) + IZR dy * (v - t) + e * n) by (unfold a, b, n; ring). lra. }
+    assert (J : e * n < g * n) by (apply Rmult_lt_compat_r; lra).
+    pose proof (Rle_0_sqr a) as A2. pose proof (Rle_0_sqr b) as B2. unfold Rsqr in *.
+    apply Rnot_le_gt. intros Z. assert (A0 : a = 0) by (apply Rplus_sqr_eq_0_l with b; unfold Rsqr; lra).
+    assert (B0 : b = 0) by (apply Rplus_sqr_eq_0_l with a; unfold Rsqr; lra). rewrite A0, B0 in K. lra.
+Qed.
+
 End Vertices.
 
 Print Assumptions apart.
@@ -749,3 +919,6 @@ Print Assumptions distance_rounds.
 Print Assumptions point_near.
 Print Assumptions depth_enough.
 Print Assumptions move_parts.
+Print Assumptions cast_passes.
+Print Assumptions circles_miss.
+Print Assumptions cast_enters.

@@ -28,13 +28,17 @@
       axiom shift64: \forall integer x;
         0x10000000000000000 * down(x, 64) <= x < 0x10000000000000000 * down(x, 64) + 0x10000000000000000;
       axiom left16: \forall integer x; (x << 16) == x * 0x10000;
+      axiom left30: \forall integer x; (x << 30) == x * 0x40000000;
       axiom left31: \forall integer x; (x << 31) == x * 0x80000000;
       axiom left32: \forall integer x; (x << 32) == x * 0x100000000;
       axiom left62: \forall integer x; (x << 62) == x * 0x4000000000000000;
+      axiom and2: \forall integer x; (x & 3) == x - 4 * down(x, 2);
       axiom and16: \forall integer x; (x & 0xffff) == x - 0x10000 * down(x, 16);
       axiom and31: \forall integer x; (x & 0x7fffffff) == x - 0x80000000 * down(x, 31);
       axiom and32: \forall integer x; (x & 0xffffffff) == x - 0x100000000 * down(x, 32);
       axiom above27: \forall integer x; (x & -0x8000000) == 0x8000000 * down(x, 27);
+      axiom above30: \forall integer x; (x & -0x40000000) == 0x40000000 * down(x, 30);
+      axiom above32: \forall integer x; (x & -0x100000000) == 0x100000000 * down(x, 32);
       axiom upper27: \forall integer x; 0 <= x < 0x100000000 ==> (x & 0xf8000000) == 0x8000000 * down(x, 27);
       axiom above31: \forall integer x; 0 <= x < 0x10000000000000000 ==> (x & 0xffffffff80000000) == 0x80000000 * down(x, 31);
       axiom from31: \forall integer x; (x & -0x80000000) == 0x80000000 * down(x, 31);
@@ -53,6 +57,7 @@
       axiom xor_sign: \forall integer x, y; (y == 0 ==> (x ^ y) == x) && (y == -1 ==> (x ^ y) == -1 - x);
       axiom sign_xor: \forall integer x, y; (x == 0 ==> (x ^ y) == y) && (x == -1 ==> (x ^ y) == -1 - y);
       axiom or_least: \forall integer x, y; 0 <= x && 0 <= y ==> (x | y) >= x && (x | y) >= y;
+      axiom or30: \forall integer x, y; 0 <= x < 0x40000000 && 0 <= y < 0x40000000 ==> (x | y) < 0x40000000;
       axiom or_most: \forall integer x, y; 0 <= x < 0x100000000 && 0 <= y < 0x100000000 ==> (x | y) < 0x100000000;
     } */
 

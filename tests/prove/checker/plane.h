@@ -143,7 +143,7 @@ static bool plane_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vec *
     assigns \nothing;
     ensures \forall integer i; 0 <= i < c->count ==> dot(vx(c, i), vy(c, i), d.x, d.y) <= \result;
     ensures -EXTENT <= \result <= EXTENT; */
-static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d);
+int64_t gjk2_claim_farthest(const gjk2_collider *c, gjk2_vec d);
 
 // What holds of each vertex of A - B; na and nb are the numbers of vertices.
 /*@ predicate behind(gjk2_collider *a, gjk2_collider *b, integer x, integer y, integer na, integer nb,
