@@ -43,7 +43,7 @@ for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3 coqc:
     exit
   fi
 done
-wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|claim|space): \[wp\]'
+wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|claim|plane_cast|space): \[wp\]'
 fault digits-mixed $wide.c gjk_sum_of_products 'gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'gjk_mac32(gjk_mul32(rh, sl), rl, sl);' "$open"
 fault carry-lost $wide.c gjk_sum_of_products '+ (digit >> 31);' ';' "$open"
 fault sign-of-zero $wide.c gjk_sum_of_products_sign_exact '? -1 : (sum.high | sum.low) != 0' '? -1 : sum.low != 0' "$open"
@@ -123,6 +123,22 @@ fault normal-backwards $claim plane_same_sign 'u >= 0 : u <= 0' 'u >= 0 : u >= 0
 fault point-2-beside $claim gjk2_claim_point 'c->shape->convex_radius + 1;' 'c->shape->convex_radius + 2;' "$open"
 fault saturated-inside $claim plane_at_end 'coordinate == INT32_MAX' 'coordinate >= 0' "$open"
 fault gap-of-3 $claim gjk2_claim_gap 'eighths + 16' 'eighths + 24' "$open"
+way=src/plane_motion/gjk2_way.c cast=src/plane_motion/gjk2_check_cast.c
+fault way-of-a-alone $way gjk2_way_set 'way->t.x = way->of_b.x - way->of_a.x;' 'way->t.x = way->of_b.x;' "$open"
+fault centre-in-front $way gjk2_way_may_meet 'ahead > 0 && ahead < gjk2_dot(way->d, way->d)' 'ahead > 0 && ahead < 0' "$open"
+fault outermost-inside $way gjk2_way_outermost_of 'if (side > most) {' 'if (side < most) {' "$open"
+fault side-of-y $way gjk2_way_side 'gjk_mac32(way->base, way->d.x, o.y)' 'gjk_mac32(way->base, way->d.y, o.y)' "$open"
+fault same-side-of-b $cast plane_leaves_beside 'way->b, &way->t, !left,' 'way->b, &way->t, left,' "$open"
+fault line-without-sign $cast plane_leaves_beside '(left ? *side < 0 : *side > 0) && gjk2' '*side != 0 && gjk2' "$open"
+fault start-alone $cast plane_stays_behind ' && plane_is_behind(most - ahead, n, radius)' '' "$open"
+fault vertices-of-a-alone $cast plane_along ' + gjk2_claim_farthest(way->b, gjk2_negate(n))' '' "$open"
+fault touching-is-behind $cast plane_is_behind 'height < 0 && radius' 'height <= 0 && radius' "$open"
+fault quotient-rounded-up $cast plane_is_quotient 'return high >= 0 &&' 'return high >= -1 &&' "$open"
+fault beside-the-edge $cast plane_enters 'side_p > 0 || side_q < 0 || ' 'side_q < 0 || ' "$open"
+fault line-before-the-edge $cast plane_enters 'most != gjk2_way_along(way, n, q->o)' 'most < gjk2_way_along(way, n, q->o)' "$open"
+fault inside-at-any-gap $cast plane_check_inside 'status != GJK_OK || !decision.yes' 'status != GJK_OK' "$open"
+fault hit-is-a-miss $cast gjk2_check_cast 'return result->hit ? GJK_ERROR_UNPROVEN : GJK_OK;' 'return result->hit ? GJK_OK : GJK_ERROR_UNPROVEN;' "$open"
+fault end-not-asked tests/prove/checker/hull.v hull 'clear dx dy h r /\ clear dx dy (h - dot dx dy tx ty) r' 'clear dx dy h r' '^failed: what holds of vertices'
 fault move-other-way tests/prove/checker/hull.v hull 'cleared (dot dx dy tx ty - h)' 'cleared (h - dot dx dy tx ty)' '^failed: what holds of vertices'
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'

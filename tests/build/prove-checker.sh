@@ -1,5 +1,5 @@
 #!/bin/sh
-# Proves the checkers of decisions, distances and depths, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
+# Proves the checkers of decisions, distances, depths and casts, with Frama-C's WP, Why3, Z3 and CVC4, and Coq for points that are
 # no vertices: prove-checker.sh BUILD [quick | hull | FUNCTION...]
 #
 # tests/prove/README.md tells what is proven. Each lemma and each obligation of a function is printed with its prover. One
@@ -122,7 +122,7 @@ case $wanted in
 esac
 [ $failed = 0 ] || { finish prove-checker; exit; }
 if [ -z "$wanted" ]; then
-  for which in plane claim space; do
+  for which in plane claim plane_cast space; do
     wp "lemmas-$which" gcc_x86_32 '' "$which.c" -wp-prop=@lemma >"$dir/lemmas.goals"
     proven=$?
     cat "$dir/lemmas.goals"
@@ -139,6 +139,7 @@ fi
 run int32 gcc_x86_32 '' wide
 run plane gcc_x86_32 '' plane
 run claim gcc_x86_32 '' claim
+run plane_cast gcc_x86_32 '' plane_cast
 run space gcc_x86_32 '' space
 if [ -z "$wanted" ]; then
   run int16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 wide

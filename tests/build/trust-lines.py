@@ -20,7 +20,8 @@ def function(name):
                  "plane/gjk2_search.h", "plane/gjk2_outward.c", "plane/gjk2_outward.h", "plane/gjk2_search_frame.c",
                  "plane/gjk2_vector.h", "plane/gjk2_class.h", "query/gjk_check.c", "arith/gjk_vector.c",
                  "gjk/gjk_frame.c", "gjk/gjk_frame.h", "gjk/gjk_iteration.c", "gjk/gjk_iteration.h",
-                 "gjk/gjk_simplex.c", "gjk/gjk_simplex.h", "shape/gjk_shape_class.h", "query/gjk_distance.h"):
+                 "gjk/gjk_simplex.c", "gjk/gjk_simplex.h", "shape/gjk_shape_class.h", "query/gjk_distance.h",
+                 "plane_motion/gjk2_way.c", "plane_motion/gjk2_check_cast.c"):
         found = re.search(head + r".*?^\}$", open("src/" + path).read(), re.M | re.S)
         if found:
             return [s for s in found.group().split("\n") if s.strip() and not s.lstrip().startswith("//")]
@@ -46,8 +47,9 @@ def contracts(files, names):
     return set(found) | set(words[w] for w in used)
 
 
-clauses = (contracts(("geometry.h", "wide.h", "plane.h", "plane_depth.h"),
-                     ("gjk2_check_decision", "gjk2_check_distance", "gjk2_check_penetration", "plane_vertex")) |
+clauses = (contracts(("geometry.h", "wide.h", "plane.h", "plane_depth.h", "plane_cast.h"),
+                     ("gjk2_check_decision", "gjk2_check_distance", "gjk2_check_penetration", "gjk2_check_cast",
+                      "plane_vertex")) |
            contracts(("geometry.h", "solid.h", "wide.h", "space.h", "measure.h", "depth.h"),
                      ("gjk_check_decision", "gjk_check_distance", "gjk_check_penetration", "space_vertex")))
 contract_lines = sum(len(t.split("\n")) for t in clauses)
