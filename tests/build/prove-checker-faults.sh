@@ -122,6 +122,7 @@ fault normal-of-twice $claim gjk2_claim_normal 'UINT64_C(255) << 29' 'UINT64_C(2
 fault normal-backwards $claim plane_same_sign 'u >= 0 : u <= 0' 'u >= 0 : u >= 0' "$open"
 fault point-2-beside $claim gjk2_claim_point 'c->shape->convex_radius + 1;' 'c->shape->convex_radius + 2;' "$open"
 fault saturated-inside $claim plane_at_end 'coordinate == INT32_MAX' 'coordinate >= 0' "$open"
+fault overlap-of-twice $claim gjk2_claim_overlap 'gjk_shl64(depth, 1);' '2 * gjk_shl64(depth, 1);' "$open"
 fault gap-of-3 $claim gjk2_claim_gap 'eighths + 16' 'eighths + 24' "$open"
 way=src/plane_motion/gjk2_way.c cast=src/plane_motion/gjk2_check_cast.c
 fault way-of-a-alone $way gjk2_way_set 'way->t.x = way->of_b.x - way->of_a.x;' 'way->t.x = way->of_b.x;' "$open"

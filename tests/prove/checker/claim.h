@@ -52,6 +52,13 @@ static bool plane_from_point(gjk_q16 centre, gjk_q16 offset, gjk_q16 point, int3
     lemma eighths_next: \forall integer h, square, e, f; 0 <= e <= f && 0 <= square && !eighths(h, square, e) ==>
       !eighths(h, square, f); */
 
+/*@ requires (n == 1 && -0x80000000 <= x <= 0x7fffffff) || (n == 29 && x == 3) || (n == 30 && -0x80000000 <= x <= 0x80000000);
+    assigns \nothing;
+    ensures n == 1 ==> \result == 2 * x;
+    ensures n == 29 ==> \result == 0x60000000;
+    ensures n == 30 ==> \result == 0x40000000 * x; */
+static inline int64_t gjk_shl64(int64_t x, unsigned n);
+
 /*@ requires 0 <= height < 0x4000000000000000 && squared < 0x4000000000000000 && 0 <= eighths < 0x1000000000;
     assigns \nothing;
     ensures \result >= 0 <==> eighths(height, squared, eighths); */

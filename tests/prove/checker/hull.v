@@ -70,6 +70,10 @@ Definition beside_edge (n : nat) (vx vy : nat -> Z) (x y r : Z) := exists i k, (
 Definition parted (r tx ty : Z) := exists dx dy h, 0 < dot dx dy dx dy /\ behind dx dy h /\ moves dx dy h r tx ty.
 Definition steps (t depth u : Z) := (0 <= u -> 2 ^ 30 * (t - 1) < depth * u <= 2 ^ 30 * t) /\
   (u < 0 -> 2 ^ 30 * t <= depth * u < 2 ^ 30 * (t + 1)).
+Definition half_off (depth u g : Z) := (2 ^ 30 * g - depth * u + 1) / 2.
+Definition overlap (depth u v gx gy : Z) :=
+  half_off depth u gx * half_off depth u gx + half_off depth v gy * half_off depth v gy <=
+  (3 * 2 ^ 29 + 2 * depth) * (3 * 2 ^ 29 + 2 * depth).
 Definition stays_off (x tx r : Z) := (x > r /\ x - tx > r) \/ (x < - r /\ x - tx < - r).
 Definition foot_off (x y tx ty r : Z) :=
   dot tx ty x y <= 0 \/ dot tx ty tx ty <= dot tx ty x y \/ farther (cross tx ty x y) r (dot tx ty tx ty).
@@ -761,6 +765,42 @@ Proof.
   unfold k in W. lra.
 Qed.
 
+Lemma half_near depth u g : exists e, 0 <= e <= 1 /\
+  2 ^ 30 * (IZR g - IZR depth * (IZR u / 2 ^ 30)) = 2 * IZR (half_off depth u g) - e.
+Proof.
+  set (k := (2 ^ 30 * g - depth * u)%Z). assert (K : half_off depth u g = ((k + 1) / 2)%Z) by reflexivity.
+  exists (IZR (2 * half_off depth u g - k)). rewrite minus_IZR, mult_IZR. split.
+  - rewrite <- mult_IZR, <- minus_IZR. rewrite K. pose proof (Z.div_mod (k + 1) 2 ltac:(lia)).
+    pose proof (Z.mod_pos_bound (k + 1) 2 ltac:(lia)). split; apply IZR_le; lia.
+  - unfold k. rewrite minus_IZR, !mult_IZR. assert (T30 : 2 ^ 30 = IZR (2 ^ 30)) by (rewrite pow_IZR; reflexivity).
+    rewrite T30. field. rewrite <- T30. apply pow_nonzero. lra.
+Qed.
+
+(* The points of a depth are as far apart as the depth along the normal (p, q) of Q2.30, to 3 LSB and 2^-28 of it, rounded. *)
+Theorem points_overlap depth p q gx gy : (0 <= depth)%Z -> overlap depth p q gx gy ->
+  square_apart (IZR gx) (IZR gy) (IZR depth * (IZR p / 2 ^ 30)) (IZR depth * (IZR q / 2 ^ 30)) <=
+  (3 + IZR depth / 2 ^ 28 + 1 / 2 ^ 29) * (3 + IZR depth / 2 ^ 28 + 1 / 2 ^ 29).
+Proof.
+  intros D H. apply IZR_le in D, H. assert (T29 : IZR (2 ^ 29) = 2 ^ 29) by (rewrite pow_IZR; reflexivity).
+  repeat rewrite ?mult_IZR, ?plus_IZR in H. rewrite T29 in H.
+  destruct (half_near depth p gx) as (e & E & X). destruct (half_near depth q gy) as (f & F & Y).
+  set (u := IZR (half_off depth p gx)) in *. set (v := IZR (half_off depth q gy)) in *.
+  set (m := 3 * 2 ^ 29 + 2 * IZR depth) in *. assert (M : 0 <= m) by (unfold m; lra).
+  set (l := sqrt (u * u + v * v)). assert (L : 0 <= l) by apply sqrt_pos.
+  assert (LL : u * u + v * v = l * l).
+  { symmetry. apply sqrt_sqrt. pose proof (Rle_0_sqr u). pose proof (Rle_0_sqr v). unfold Rsqr in *. lra. }
+  assert (LM : l <= m) by (apply Rnot_lt_le; intros G; pose proof (Rmult_le_0_lt_compat _ _ _ _ M M G G); lra).
+  assert (EE : - e * - e + - f * - f <= 2 * 2).
+  { assert (e * e <= 1 * 1) by (apply Rmult_le_compat; lra). assert (f * f <= 1 * 1) by (apply Rmult_le_compat; lra). lra. }
+  pose proof (cauchy l 2 u v (- e) (- f) L ltac:(lra) LL EE) as C.
+  set (a := IZR gx - IZR depth * (IZR p / 2 ^ 30)) in *. set (b := IZR gy - IZR depth * (IZR q / 2 ^ 30)) in *.
+  assert (S : 2 ^ 30 * 2 ^ 30 * (a * a + b * b) <= (2 * m + 2) * (2 * m + 2)).
+  { replace (2 ^ 30 * 2 ^ 30 * (a * a + b * b)) with ((2 ^ 30 * a) * (2 ^ 30 * a) + (2 ^ 30 * b) * (2 ^ 30 * b)) by ring.
+    rewrite X, Y. assert (l * l <= m * m) by (apply Rmult_le_compat; assumption). lra. }
+  unfold square_apart. fold a b. apply Rmult_le_reg_l with (2 ^ 30 * 2 ^ 30); [lra |].
+  eapply Rle_trans; [exact S |]. apply Req_le. unfold m. field.
+Qed.
+
 Lemma clear_below dx dy h r l : clear dx dy h r -> (0 <= r)%Z -> 0 <= l -> IZR dx * IZR dx + IZR dy * IZR dy = l * l ->
   IZR r * l < - IZR h.
 Proof.
@@ -922,3 +962,4 @@ Print Assumptions move_parts.
 Print Assumptions cast_passes.
 Print Assumptions circles_miss.
 Print Assumptions cast_enters.
+Print Assumptions points_overlap.

@@ -27,7 +27,9 @@
         0x8000000000000000 * down(x, 63) <= x < 0x8000000000000000 * down(x, 63) + 0x8000000000000000;
       axiom shift64: \forall integer x;
         0x10000000000000000 * down(x, 64) <= x < 0x10000000000000000 * down(x, 64) + 0x10000000000000000;
+      axiom left1: \forall integer x; (x << 1) == x * 2;
       axiom left16: \forall integer x; (x << 16) == x * 0x10000;
+      axiom left29: \forall integer x; (x << 29) == x * 0x20000000;
       axiom left30: \forall integer x; (x << 30) == x * 0x40000000;
       axiom left31: \forall integer x; (x << 31) == x * 0x80000000;
       axiom left32: \forall integer x; (x << 32) == x * 0x100000000;

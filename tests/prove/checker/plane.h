@@ -400,7 +400,8 @@ bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigne
     assigns \nothing;
     ensures \result == 0 || \result == 1;
     ensures of_a: \result == 1 ==> HELD(s->a, *a, saturated);
-    ensures of_b: \result == 1 ==> HELD(s->b, *b, saturated); */
+    ensures of_b: \result == 1 ==> HELD(s->b, *b, saturated);
+    ensures end: \result == 1 && saturated != 0 ==> AT_END(*a) || AT_END(*b); */
 static bool plane_points_hold(const gjk2_search *s, const gjk2_certificate *c, const gjk2_vec *a, const gjk2_vec *b,
                               bool saturated);
 

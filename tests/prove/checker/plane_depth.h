@@ -182,14 +182,31 @@ gjk2_vec gjk2_outward_move(gjk_q16 depth, gjk2_unit normal);
     ensures \result == 1 <==> moves(n.x, n.y, height, radius, t.x, t.y); */
 bool gjk2_outward_clears(gjk2_vec n, int64_t height, int32_t radius, gjk2_vec t);
 
-/*@ assigns \nothing; */
+// The points are as far apart as the depth along the normal (u, v), to 3 LSB and 2^-28 of it. Halves of what they are off,
+// in units of 2^-29 LSB, are rounded to the nearest.
+/*@ logic integer half_off(integer depth, integer u, integer g) = down(0x40000000 * g - depth * u + 1, 1);
+    predicate overlap(integer depth, integer u, integer v, integer gx, integer gy) =
+      half_off(depth, u, gx) * half_off(depth, u, gx) + half_off(depth, v, gy) * half_off(depth, v, gy) <=
+      (0x60000000 + 2 * depth) * (0x60000000 + 2 * depth); */
+
+/*@ requires 0 <= depth && \valid_read(normal) && \valid_read(a) && \valid_read(b);
+    assigns \nothing;
+    ensures \result == 0 || \result == 1;
+    ensures \result == 1 ==> overlap(depth, UNIT(*normal), a->x - b->x, a->y - b->y); */
 bool gjk2_claim_overlap(gjk_q16 depth, const gjk2_unit *normal, const gjk2_vec *a, const gjk2_vec *b);
 
+#define OVERLAP(result)                                                                    \
+  (overlap((result).depth, UNIT((result).normal), (result).point_a.x - (result).point_b.x, \
+           (result).point_a.y - (result).point_b.y) ||                                     \
+   AT_END((result).point_a) || AT_END((result).point_b))
+
 /*@ requires READS(s) && ROUNDED(s->a) && ROUNDED(s->b) && \valid_read(result) && 1 <= result->certificate.count <= 2;
+    requires 0 <= result->depth;
     assigns \nothing;
     ensures \result == 0 || \result == 1;
     ensures of_a: \result == 1 ==> HELD(s->a, result->point_a, 1);
-    ensures of_b: \result == 1 ==> HELD(s->b, result->point_b, 1); */
+    ensures of_b: \result == 1 ==> HELD(s->b, result->point_b, 1);
+    ensures overlap: \result == 1 ==> OVERLAP(*result); */
 static bool plane_coincide(const gjk2_search *s, const gjk2_penetration_result *result);
 
 // What a checked depth means for the vertices.
@@ -203,7 +220,8 @@ static bool plane_coincide(const gjk2_search *s, const gjk2_penetration_result *
     ensures moved: \result == GJK_OK && result->intersecting != 0 ==> moved(a, b, APART_X(a, b), APART_Y(a, b), a->count,
       b->count, RADII(a, b), result->depth, UNIT(result->normal));
     ensures point_a: \result == GJK_OK && result->intersecting != 0 ==> HELD(a, result->point_a, 1);
-    ensures point_b: \result == GJK_OK && result->intersecting != 0 ==> HELD(b, result->point_b, 1); */
+    ensures point_b: \result == GJK_OK && result->intersecting != 0 ==> HELD(b, result->point_b, 1);
+    ensures overlap: \result == GJK_OK && result->intersecting != 0 ==> OVERLAP(*result); */
 gjk_status gjk2_check_penetration(const gjk2_collider *a, const gjk2_collider *b,
                                   const gjk2_penetration_result *result);
 
