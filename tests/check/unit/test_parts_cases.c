@@ -1,13 +1,14 @@
 // Bodies of many parts, case by case: contacts over a seam, statuses of two bodies, what is ahead of a surface on either
 // side.
-#include <math.h>
 #include <string.h>
 
 #include "check.h"
+#include "filled.h"
 #include "gjk/gjk.h"
 #include "parts_answers.h"
 #include "placed.h"
 #include "src/parts/gjk_parts_class.h"
+#include "whorl.h"
 
 static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
@@ -278,28 +279,14 @@ static void test_cast_limited(void) {
   CHECK(limited > 0);
 }
 
-// A shape that never settles: seen from the point (6, 0, 8) it is a spiral, of which each step is nearer there. Along the axes,
-// where boxes are measured, it reaches beyond that.
-static void spiral_support(const void *user, const gjk_vec3 *d, gjk_vec3 *out) {
-  const double turn = atan2(0.6 * d->z - 0.8 * d->x, 0.6 * d->x + 0.8 * d->z), unit = GJK_Q16(1);
-  const double to = (turn < -0.5 ? turn + 6.283185307179586 : turn) + 0.04, away = 10 * exp(-0.03 * to);
-  const double aside = away * sin(to), ahead = 10 - away * cos(to);
-  const bool along = (d->x != 0) + (d->y != 0) + (d->z != 0) == 1;
-  (void)user;
-  out->x = along ? d->x / 512 : (int32_t)(unit * (0.8 * aside + 0.6 * ahead));
-  out->y = along ? d->y / 512 : 0;
-  out->z = along ? d->z / 512 : (int32_t)(unit * (0.8 * ahead - 0.6 * aside));
-}
-
-// Such a shape and a crate beside the point that it winds around, in either order, as A against a ball there, or as B. The
-// distance is that of the nearer part, and bounded by the part that has not settled if that may be nearer. beyond: the crate is
-// nearer than both bounds, between them, or farther away.
+// A shape that no search settles and a crate beside the point where it does not, in either order, as A against a ball there,
+// or as B. The distance is that of the nearer part, and bounded by the part that has not settled if that may be nearer. beyond:
+// the crate is nearer than both bounds, between them, or farther away.
 static void test_distance_limited(int beyond, unsigned spiral, bool as_b) {
-  static const gjk_shape whorl = GJK_CUSTOM(spiral_support, NULL, GJK_Q16(20));
   const gjk_collider alone = at_height(&whorl, 0);
   gjk_collider c = at_height(&ball, 0);
   gjk_compound_part two[2] = {{&crate, GJK_POSE_IDENTITY}, {&crate, GJK_POSE_IDENTITY}};
-  const gjk_compound_part one = {&ball, {{GJK_Q16(6), 0, GJK_Q16(8)}, {0, 0, 0, GJK_Q30_ONE}}};
+  const gjk_compound_part one = {&ball, {whorl_point, {0, 0, 0, GJK_Q30_ONE}}};
   gjk_compound_node nodes[3];
   gjk_compound of_two, of_one;
   gjk_distance_result own, each[2], out;
@@ -308,8 +295,9 @@ static void test_distance_limited(int beyond, unsigned spiral, bool as_b) {
   two[spiral].shape = &whorl;
   CHECK(gjk_collider_pose(&c, &one.pose) == GJK_OK);
   CHECK(gjk_distance(&alone, &c, NULL, &own) == GJK_ERROR_ITERATION_LIMIT && own.lower + 10 < own.upper);
-  two[1 - spiral].pose.position.x = GJK_Q16(7.5) + (own.lower + own.upper) / 2 + beyond * (own.upper - own.lower);
-  two[1 - spiral].pose.position.z = GJK_Q16(8);
+  two[1 - spiral].pose.position.x =
+      whorl_point.x + GJK_Q16(1.5) + (own.lower + own.upper) / 2 + beyond * (own.upper - own.lower);
+  two[1 - spiral].pose.position.z = whorl_point.z;
   CHECK(gjk_compound_build(two, 2, nodes, 2, &of_two) == GJK_OK);
   CHECK(gjk_compound_build(&one, 1, nodes + 2, 1, &of_one) == GJK_OK);
   const gjk_parts a = GJK_PARTS_OF_COMPOUND(as_b ? &of_one : &of_two),
@@ -336,6 +324,87 @@ static void test_distance_limited(int beyond, unsigned spiral, bool as_b) {
   if (!as_b) {
     CHECK(gjk_parts_distance(&a, &c, &pair.a, &out) == ends && same_distance(&out, &expected) && pair.a == nearest);
   }
+}
+
+// All other queries of it and a ball that it may touch, or be a little apart from. A crate in the ball, or far from it, comes
+// after it. What the crate does not answer has no answer, and is not written; the contacts are those of the crate.
+static void test_limited(bool touched) {
+  const gjk_vec3 at = whorl_point, to = {0, 0, GJK_Q16(8)};
+  const gjk_compound_part two[2] = {{&whorl, GJK_POSE_IDENTITY},
+                                    {&crate, {{at.x, touched ? 0 : GJK_Q16(90), at.z}, {0, 0, 0, GJK_Q30_ONE}}}},
+                          one = {&whorl_ball, {at, {0, 0, 0, GJK_Q30_ONE}}};
+  const gjk_collider c = placed(&whorl_ball, at);
+  const gjk_status ends = touched ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
+  const uint32_t crates = touched ? 1 : 0;
+  const gjk_cast_path path = {NULL, &to, 0};
+  static gjk_epa_cell cells[GJK_EPA_CELLS(64)];
+  const gjk_workspace workspace = {cells, GJK_EPA_CELLS(64)};
+  gjk_compound_node nodes[3];
+  gjk_compound of_two, of_one;
+  gjk_decision near[2];
+  gjk_penetration_result depth[2];
+  gjk_parts_manifold each[2];
+  gjk_manifold joined[2];
+  gjk_cast_result cast[2];
+  gjk_impact_result impact[2];
+  gjk_motion rests = {{at, {0, 0, 0, GJK_Q30_ONE}}, {at, {0, 0, 0, GJK_Q30_ONE}}, {0, 0, 0}}, still = rests;
+  const gjk_impact_setup setup = {0, GJK_PARTS_BOTH_TOLERANCE_MIN, 0};
+  gjk_parts_pair pair = {77, 77};
+  uint32_t part = 77, count;
+  unsigned normals;
+  CHECK(gjk_compound_build(two, 2, nodes, 2, &of_two) == GJK_OK);
+  CHECK(gjk_compound_build(&one, 1, nodes + 2, 1, &of_one) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&of_two), b = GJK_PARTS_OF_COMPOUND(&of_one);
+  memset(near, POISON, sizeof near);
+  memset(depth, POISON, sizeof depth);
+  CHECK(gjk_parts_intersect(&a, &c, &part, &near[0]) == ends && part == (touched ? 1 : 77));
+  CHECK(gjk_parts_both_within(&a, &b, 0, &pair, &near[1]) == ends && pair.a == part && pair.b == (touched ? 0 : 77));
+  CHECK(touched ? near[0].yes && near[1].yes : is_untouched(near, sizeof near));
+  part = pair.a = pair.b = 77;
+  CHECK(gjk_parts_penetration(&a, &c, &workspace, &part, &depth[0]) == GJK_ERROR_ITERATION_LIMIT && part == 77);
+  CHECK(gjk_parts_both_penetration(&a, &b, &workspace, &pair, &depth[1]) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(is_untouched(depth, sizeof depth) && pair.a == 77 && pair.b == 77);
+  CHECK(gjk_parts_contacts(&a, &c, 0, 4, &workspace, each, 2, &count) == GJK_ERROR_ITERATION_LIMIT && count == crates);
+  CHECK(gjk_parts_both_contacts(&a, &b, 0, 4, &workspace, each, 2, &count) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(count == crates && (!touched || each[0].part == 1));
+  CHECK(gjk_parts_manifolds(&a, &c, 0, 4, &workspace, joined, 2, &normals) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(normals == crates);
+  CHECK(gjk_parts_cast(&a, &c, &path, &part, &cast[0]) == ends && part == crates);
+  CHECK(gjk_parts_both_cast(&a, &b, &path, &pair, &cast[1]) == ends && pair.a == crates && pair.b == 0);
+  still.from = still.to = a.pose;
+  CHECK(gjk_parts_time_of_impact(&a, &still, &c, &rests, &setup, &part, &impact[0]) == ends && part == crates);
+  rests = still;
+  CHECK(gjk_parts_both_time_of_impact(&a, &still, &b, &rests, &setup, &pair, &impact[1]) == ends && pair.a == crates);
+  for (unsigned i = 0; i < 2; i++) {
+    CHECK(cast[i].hit == touched && cast[i].inside == touched && cast[i].fraction == 0);
+    CHECK(impact[i].hit == touched && impact[i].overlap == touched && impact[i].lower == 0);
+  }
+}
+
+// The same beside a corner of a field that has holes, which are left out.
+static void test_limited_by_field(void) {
+  const int16_t heights[6] = {0, -16, GJK_HEIGHT_HOLE, -16, -32, -48};
+  const gjk_height_field field = GJK_HEIGHT_FIELD(heights, 3, 2, GJK_Q16(1), GJK_Q16(1), GJK_HEIGHT_FIELD_STEP_MAX);
+  const gjk_compound_part one = {&whorl, GJK_POSE_IDENTITY};
+  const gjk_collider alone = at_height(&whorl, 0);
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_distance_result out;
+  gjk_surface_contact contact;
+  gjk_parts_pair pair = {77, 77};
+  uint32_t count = 77;
+  uint16_t contacts = 77;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&compound);
+  gjk_parts b = GJK_PARTS_OF_HEIGHT_FIELD(&field);
+  b.pose.position = whorl_point;
+  b.pose.rotation.x = GJK_Q30_ONE;  // its front faces the whorl
+  b.pose.rotation.w = 0;
+  CHECK(gjk_parts_both_distance(&a, &b, &pair, &out) == GJK_ERROR_ITERATION_LIMIT && pair.a == 0 && pair.b == 0);
+  CHECK(out.lower < GJK_Q16(9.9992) && out.upper > GJK_Q16(10) && out.distance <= out.upper);
+  CHECK(gjk_parts_both_contacts(&a, &b, 0, 4, NULL, NULL, 0, &count) == GJK_ERROR_ITERATION_LIMIT && count == 0);
+  CHECK(gjk_surface_contacts(&b, &alone, GJK_Q16(11), 4, NULL, &contact, 1, &contacts) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(contacts == 0);
 }
 
 // A compound that is not as it was built: its reach is too small. Where a cast takes a part's centre beyond int32 it ends
@@ -404,6 +473,9 @@ int main(void) {
   test_ahead();
   test_ahead_of_baked();
   test_cast_limited();
+  test_limited(false);
+  test_limited(true);
+  test_limited_by_field();
   test_cast_beyond_reach();
   for (unsigned i = 0; i < 3; i++) {
     const gjk_vec3 axis = {i == 0, i == 1, i == 2};

@@ -11,8 +11,8 @@
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
 static const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
 
-// The queries that ask a part whatever its place is.
-static void check_refusals(const gjk_parts *a) {
+// The queries that ask a part whatever its place is. moving: what the last one says, which begins with the shape alone.
+static void check_refusals(const gjk_parts *a, gjk_status moving) {
   const gjk_collider b = posed(&ball, &still.from);
   const gjk_impact_setup setup = {0, GJK_PARTS_TOLERANCE_MIN, 0};
   gjk_distance_result distance;
@@ -24,7 +24,7 @@ static void check_refusals(const gjk_parts *a) {
   memset(&impact, POISON, sizeof impact);
   CHECK(gjk_parts_place(a, 0, &room, &c) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_distance(a, &b, &part, &distance) == GJK_ERROR_RANGE);
-  CHECK(gjk_parts_time_of_impact(a, &still, &b, &still, &setup, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(a, &still, &b, &still, &setup, &part, &impact) == moving);
   CHECK(part == 77 && is_untouched(&distance, sizeof distance) && is_untouched(&impact, sizeof impact));
 }
 
@@ -42,7 +42,7 @@ static void test_holes(void) {
   CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
   const gjk_parts balls = GJK_PARTS_OF_COMPOUND(&compound);
   CHECK(gjk_height_field_check(&field) == GJK_ERROR_EMPTY && gjk_parts_count(&holes) == 4);
-  check_refusals(&holes);
+  check_refusals(&holes, GJK_ERROR_RANGE);
   memset(&distance, POISON, sizeof distance);
   CHECK(gjk_parts_both_distance(&balls, &holes, &pair, &distance) == GJK_ERROR_EMPTY);
   CHECK(is_untouched(&distance, sizeof distance) && pair.a == 77 && pair.b == 77);
@@ -104,16 +104,19 @@ static void test_nodes(void) {
 }
 
 static void test_numbers(void) {
-  const gjk_vec3 corner[3] = {{0, 0, 0}, {GJK_Q16(1.0), 0, 0}, {0, GJK_Q16(1.0), 0}};
+  gjk_vec3 corner[3] = {{0, 0, 0}, {GJK_Q16(1.0), 0, 0}, {0, GJK_Q16(1.0), 0}};
   gjk_mesh_triangle triangle = {{0, 1, 2}};
   gjk_mesh_node node;
   gjk_mesh mesh;
   gjk_mesh_report report;
   CHECK(gjk_mesh_build(corner, 3, &triangle, 1, true, &node, 1, &mesh) == GJK_OK);
   const gjk_parts body = GJK_PARTS_OF_MESH(&mesh);
+  corner[1].x = GJK_MESH_COORDINATE_MAX + 1;
+  check_refusals(&body, GJK_ERROR_SIZE);
+  corner[1].x = GJK_Q16(1.0);
   triangle.corner[1] = 3;
   CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_NUMBER_FAULT && report.edge == 1);
-  check_refusals(&body);
+  check_refusals(&body, GJK_ERROR_RANGE);
 }
 
 // The arguments of a query that it may refuse, each a pointer, and queries that take some of them.
@@ -249,9 +252,14 @@ static void test_arguments(void) {
   }
 }
 
-// A part whose rotation was damaged after its compound was built: each query that meets it says so, and writes nothing.
-static void test_damaged(void) {
+// A part whose rotation was damaged after its compound was built, or a triangle that has grown since along one or two axes:
+// each query that meets it says so, and writes nothing.
+static void test_damaged(gjk_status expected, gjk_q16 x, gjk_q16 y) {
   gjk_compound_part one = {&ball, GJK_POSE_IDENTITY}, other = {&ball, GJK_POSE_IDENTITY};
+  gjk_vec3 corner[3] = {{0, 0, 0}, {GJK_Q16(1.0), 0, 0}, {0, GJK_Q16(1.0), 0}};
+  gjk_mesh_triangle triangle = {{0, 1, 2}};
+  gjk_mesh_node leaf;
+  gjk_mesh mesh;
   gjk_compound_node node[2];
   gjk_compound compound[2];
   gjk_collider b = posed(&ball, &still.from);
@@ -261,21 +269,37 @@ static void test_damaged(void) {
   gjk_vec3 at[2] = {{0, 0, 0}, {0, 0, 0}};
   CHECK(gjk_compound_build(&one, 1, &node[0], 1, &compound[0]) == GJK_OK);
   CHECK(gjk_compound_build(&other, 1, &node[1], 1, &compound[1]) == GJK_OK);
+  CHECK(gjk_mesh_build(corner, 3, &triangle, 1, true, &leaf, 1, &mesh) == GJK_OK);
   one.pose.rotation.w = GJK_Q30_ONE / 2;
-  gjk_parts bad = GJK_PARTS_OF_COMPOUND(&compound[0]),
+  corner[1].x = x;
+  corner[2].y = y;
+  gjk_parts turned = GJK_PARTS_OF_COMPOUND(&compound[0]), grown = GJK_PARTS_OF_MESH(&mesh),
+            bad = expected == GJK_ERROR_ROTATION ? turned : grown,
             good[2] = {GJK_PARTS_OF_COMPOUND(&compound[1]), GJK_PARTS_OF_COMPOUND(&compound[1])};
   void *const usual[ARGUMENTS] = {&good[0], &good[1], &b,     &motion[0], &motion[1], &setup,
                                   &path,    &at[0],   &at[1], &room,      &count,     &out};
   for (unsigned query = 0; query < sizeof queries / sizeof queries[0]; query++) {
-    CHECK_MSG(refuses(query, usual, A, &bad, GJK_ERROR_ROTATION), "query %u", query);
+    CHECK_MSG(refuses(query, usual, A, &bad, expected), "query %u", query);
     const bool takes_body = refuses(query, usual, BODY_B, NULL, GJK_ERROR_NULL);
-    CHECK_MSG(refuses(query, usual, BODY_B, &bad, GJK_ERROR_ROTATION) == takes_body, "query %u of two bodies", query);
+    CHECK_MSG(refuses(query, usual, BODY_B, &bad, expected) == takes_body, "query %u of two bodies", query);
   }
+  gjk_concave concave;
+  gjk_shape shape;
+  gjk_surface_contact contact;
+  uint16_t contacts = 77;
+  memset(&concave, POISON, sizeof concave);
+  memset(&shape, POISON, sizeof shape);
+  CHECK(gjk_concave_init(&bad, &concave, &shape) == expected);
+  CHECK(is_untouched(&concave, sizeof concave) && is_untouched(&shape, sizeof shape));
+  const gjk_status of_surface = expected == GJK_ERROR_SIZE ? expected : GJK_ERROR_UNSUPPORTED;
+  CHECK(gjk_surface_contacts(&bad, &b, 0, 4, NULL, &contact, 1, &contacts) == of_surface && contacts == 77);
 }
 
 int main(void) {
   test_arguments();
-  test_damaged();
+  test_damaged(GJK_ERROR_ROTATION, 0, 0);
+  test_damaged(GJK_ERROR_SIZE, INT32_C(1) << 29, GJK_Q16(1.0));
+  test_damaged(GJK_ERROR_SIZE, 2 * GJK_RADIUS_MAX, 2 * GJK_RADIUS_MAX);
   test_holes();
   test_changed_parts();
   test_nodes();

@@ -1,0 +1,32 @@
+// A shape that no search settles, seen from the point (6.24, 0, 7.82), 10 units away.
+//
+// Its nearest vertex there is one end of all its edges. Their other ends are 40 units aside, each edge a little nearer than the
+// one before. The support sees from the direction which edge comes next. So searches find neither a plane nor an end, and
+// whether it comes within 9.9985 to 10.0001 units of that point is never decided.
+#ifndef WHORL_H
+#define WHORL_H
+
+#include "gjk/shape.h"
+
+static inline int32_t whorl_along(int32_t d) {
+  return d > 0 ? GJK_Q16(32) : d < 0 ? -GJK_Q16(32) : 0;
+}
+
+static inline void whorl_support(const void *user, const gjk_vec3 *d, gjk_vec3 *out) {
+  const double ahead = 0.6 * d->x + 0.8 * d->z, aside = 0.6 * d->z - 0.8 * d->x, slope = aside - 0.00005 * ahead;
+  const bool ends = ahead <= 0 || slope <= 0 || slope > 0.01 * ahead;
+  const double x = GJK_Q16(1) * (ends ? 0.4 : -39.7), below = GJK_Q16(1) * (ends ? 0 : 40.1 * slope / ahead);
+  const bool along = (d->x != 0) + (d->y != 0) + (d->z != 0) == 1;  // where boxes are measured, it reaches farther
+  (void)user;
+  out->x = along ? whorl_along(d->x) : (int32_t)(0.8 * x - 0.6 * below);
+  out->y = along ? whorl_along(d->y) : 0;
+  out->z = along ? whorl_along(d->z) : (int32_t)(-0.6 * x - 0.8 * below);
+}
+
+static const gjk_shape whorl = GJK_CUSTOM(whorl_support, 0, GJK_Q16(60));
+
+// A ball around that point: does it touch the whorl?
+static const gjk_vec3 whorl_point = {GJK_Q16(6.24), 0, GJK_Q16(7.82)};
+static const gjk_shape whorl_ball = GJK_SPHERE(GJK_Q16(9.9992));
+
+#endif
