@@ -1,8 +1,8 @@
 // A shape that no search settles, seen from the point (6.24, 0, 7.82), 10 units away.
 //
-// Its nearest vertex there is one end of all its edges. Their other ends are 40 units aside, each edge a little nearer than the
-// one before. The support sees from the direction which edge comes next. So searches find neither a plane nor an end, and
-// whether it comes within 9.9985 to 10.0001 units of that point is never decided.
+// Its nearest vertex there is one end of all its edges. Their other ends are 40 units aside, each edge a little nearer
+// than the one before. The support sees from the direction which edge comes next. So searches find neither a plane nor
+// an end, and whether it comes within 9.9985 to 10.0001 units of that point is never decided.
 #ifndef WHORL_H
 #define WHORL_H
 

@@ -279,9 +279,9 @@ static void test_cast_limited(void) {
   CHECK(limited > 0);
 }
 
-// A shape that no search settles and a crate beside the point where it does not, in either order, as A against a ball there,
-// or as B. The distance is that of the nearer part, and bounded by the part that has not settled if that may be nearer. beyond:
-// the crate is nearer than both bounds, between them, or farther away.
+// A shape that no search settles and a crate beside the point where it does not, in either order, as A against a ball
+// there, or as B. The distance is that of the nearer part, and bounded by the part that has not settled if that may be
+// nearer. beyond: the crate is nearer than both bounds, between them, or farther away.
 static void test_distance_limited(int beyond, unsigned spiral, bool as_b) {
   const gjk_collider alone = at_height(&whorl, 0);
   gjk_collider c = at_height(&ball, 0);
@@ -326,8 +326,8 @@ static void test_distance_limited(int beyond, unsigned spiral, bool as_b) {
   }
 }
 
-// All other queries of it and a ball that it may touch, or be a little apart from. A crate in the ball, or far from it, comes
-// after it. What the crate does not answer has no answer, and is not written; the contacts are those of the crate.
+// All other queries of it and a ball that it may touch, or be a little apart from. A crate in the ball, or far from it,
+// comes after it. What the crate does not answer has no answer, and is not written; the contacts are the crate's.
 static void test_limited(bool touched) {
   const gjk_vec3 at = whorl_point, to = {0, 0, GJK_Q16(8)};
   const gjk_compound_part two[2] = {{&whorl, GJK_POSE_IDENTITY},

@@ -11,7 +11,7 @@
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
 static const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
 
-// The queries that ask a part whatever its place is. moving: what the last one says, which begins with the shape alone.
+// The queries that ask a part whatever its place is. moving: what the last one says, which begins with the shape.
 static void check_refusals(const gjk_parts *a, gjk_status moving) {
   const gjk_collider b = posed(&ball, &still.from);
   const gjk_impact_setup setup = {0, GJK_PARTS_TOLERANCE_MIN, 0};
@@ -252,8 +252,8 @@ static void test_arguments(void) {
   }
 }
 
-// A part whose rotation was damaged after its compound was built, or a triangle that has grown since along one or two axes:
-// each query that meets it says so, and writes nothing.
+// A part whose rotation was damaged after its compound was built, or a triangle that has grown since along one or two
+// axes: each query that meets it says so, and writes nothing.
 static void test_damaged(gjk_status expected, gjk_q16 x, gjk_q16 y) {
   gjk_compound_part one = {&ball, GJK_POSE_IDENTITY}, other = {&ball, GJK_POSE_IDENTITY};
   gjk_vec3 corner[3] = {{0, 0, 0}, {GJK_Q16(1.0), 0, 0}, {0, GJK_Q16(1.0), 0}};
