@@ -56,6 +56,32 @@ static void test_seam(void) {
   CHECK(gjk_parts_manifolds(&body, &above, 100, 4, NULL, joined, 4, &count) == GJK_OK && count == 2);
 }
 
+// Such a floor of parts 90 and 264, whose numbers give a contact of each the same id: the ids of a manifold differ.
+static void test_ids(void) {
+  static gjk_compound_part parts[265];
+  static gjk_compound_node nodes[GJK_COMPOUND_NODES(265)];
+  const gjk_compound_part below = {&crate, {{0, 0, -GJK_Q16(99)}, {0, 0, 0, GJK_Q30_ONE}}};
+  const gjk_collider above = at_height(&crate, GJK_Q16(2));
+  gjk_compound floor;
+  gjk_manifold joined;
+  unsigned count;
+  for (unsigned i = 0; i < 265; i++) {
+    parts[i] = below;
+  }
+  parts[90].pose.position.z = parts[264].pose.position.z = 0;
+  parts[90].pose.position.x = -GJK_Q16(1);
+  parts[264].pose.position.x = GJK_Q16(1);
+  CHECK(gjk_compound_build(parts, 265, nodes, GJK_COMPOUND_NODES(265), &floor) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&floor);
+  CHECK(gjk_parts_manifolds(&body, &above, 100, GJK_CONTACTS_MAX, NULL, &joined, 1, &count) == GJK_OK);
+  CHECK(count == 1 && joined.count == 6);
+  for (unsigned i = 0; i < joined.count; i++) {
+    for (unsigned k = 0; k < i; k++) {
+      CHECK(joined.contact[i].id != joined.contact[k].id);
+    }
+  }
+}
+
 // A part on two others, or below two: of these the second one is turned, so that it meets with another face, and either may be
 // the deeper one, which gives the features.
 static void test_features(bool two_of_a, unsigned deeper) {
@@ -460,6 +486,7 @@ static void test_impact_beyond_reach(void) {
 
 int main(void) {
   test_seam();
+  test_ids();
   for (unsigned i = 0; i < 4; i++) {
     test_features(i < 2, i % 2);
     for (int beyond = -1; beyond <= 1; beyond++) {
