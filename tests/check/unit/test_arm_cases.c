@@ -7,6 +7,7 @@
 #include "check.h"
 #include "gjk/compound.h"
 #include "placed.h"
+#include "whorl.h"
 
 #define LINKS 3
 #define PARTS 3
@@ -205,6 +206,9 @@ static void check_far(void) {
         CHECK(gjk_arm_edge_start(&m.arm, &from, &to, &plain, take, NULL) == GJK_OK);
         CHECK(gjk_arm_edge_run(&m.arm, 1000, &result) == GJK_OK && result.answer == GJK_ARM_FREE);
         CHECK(gjk_check_edge(&m.arm, &from, &to, &plain, &result, proof, proof_count) == GJK_OK);
+        proof[0].direction = (gjk_unit3){-side * 644245094, 858993459, 0};  // 0.6 and 0.8
+        CHECK(k < 8 || axis > 0 ||  // so far away only directions along axes count
+              gjk_check_edge(&m.arm, &from, &to, &plain, &result, proof, proof_count) == GJK_ERROR_UNPROVEN);
       }
     }
   }
@@ -249,7 +253,7 @@ static void check_one_end(void) {
   make_single(&ball);
   m.links[0].kind = GJK_ARM_PRISMATIC;
   CHECK(gjk_compound_build(&piece, 1, &node, 1, &compound) == GJK_OK);
-  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
   for (unsigned k = 0; k < 2; k++) {
     CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_OK);
     if (k == 0) {
@@ -265,6 +269,13 @@ static void check_one_end(void) {
       CHECK(gjk_check_edge(&m.arm, &from, &to, &plain, &said, steps, k + 1) == GJK_ERROR_UNPROVEN);
       CHECK(gjk_check_edge(&m.arm, &stay, &stay, &plain, &said, steps, k + 1) ==
             (side == 0 ? GJK_ERROR_UNPROVEN : GJK_OK));
+      steps[0].direction.z += side;  // just beyond 1
+      CHECK(gjk_check_edge(&m.arm, &stay, &stay, &plain, &said, steps, k + 1) == GJK_ERROR_UNPROVEN);
+      steps[0].direction.z -= side;
+      body.pose.rotation.w = 0;  // a body that has become none
+      CHECK(gjk_check_edge(&m.arm, &stay, &stay, &plain, &said, steps, k + 1) ==
+            (side == 0 || k == 1 ? GJK_ERROR_UNPROVEN : GJK_OK));
+      body.pose.rotation.w = GJK_Q30_ONE;
     }
   }
 }
@@ -295,6 +306,40 @@ static void check_sides_of_bodies(void) {
       }
     }
   }
+}
+
+// A ball beside a shape that no search settles, which is an obstacle or the first piece of a body. It may be near, which
+// is all that is known unless the wall that comes next is. Its distance counts by its lower bound.
+static void check_open(bool of_body, bool touched) {
+  const gjk_compound_part pieces[2] = {
+      {&whorl, GJK_POSE_IDENTITY},
+      {&wall, {{whorl_point.x, touched ? 0 : GJK_Q16(20.0), whorl_point.z}, {0, 0, 0, GJK_Q30_ONE}}}};
+  const gjk_collider ball = placed(&whorl_ball, whorl_point);
+  const int32_t q = 0;
+  gjk_compound_node nodes[2];
+  gjk_compound compound;
+  gjk_distance_result alone;
+  gjk_arm_distance_result nearest;
+  gjk_arm_edge_result edge;
+  gjk_arm_names pair;
+  bool near = false;
+  make_single(&whorl_ball);
+  m.parts[0].pose.position = whorl_point;
+  CHECK(gjk_compound_build(pieces, 2, nodes, 2, &compound) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  CHECK(init() == GJK_OK);
+  for (unsigned i = 0; i < 2; i++) {
+    m.obstacles[i] = posed(pieces[i].shape, &pieces[i].pose);
+  }
+  CHECK(gjk_distance(&m.obstacles[0], &ball, NULL, &alone) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK((of_body ? gjk_arm_bodies(&m.arm, &body, 1) : gjk_arm_obstacles(&m.arm, m.obstacles, 2)) == GJK_OK);
+  CHECK(gjk_arm_near(&m.arm, &q, 0, &near, &pair) == (touched ? GJK_OK : GJK_ERROR_ITERATION_LIMIT) && near);
+  CHECK(pair.obstacle && pair.other == (touched && !of_body) && pair.piece == (of_body ? touched : GJK_PARTS_NONE));
+  CHECK(gjk_arm_distance(&m.arm, &q, GJK_DISTANCE_MAX, &nearest) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(nearest.pair.other == 0 && nearest.distance.lower == alone.lower && nearest.distance.upper == alone.upper);
+  CHECK(gjk_arm_edge_start(&m.arm, &q, &q, &plain, NULL, NULL) == GJK_OK);
+  const gjk_status settled = gjk_arm_edge_run(&m.arm, 100000, &edge);
+  CHECK(touched || (settled == GJK_ERROR_ITERATION_LIMIT && edge.answer == GJK_ARM_UNSETTLED && edge.lower == 0));
 }
 
 // A part that is moved along one axis of its link alone is where its pose says. And no room for pairs is needed without pairs.
@@ -481,6 +526,9 @@ int main(void) {
   check_one_end();
   check_sides_of_bodies();
   check_same_gap();
+  for (unsigned k = 0; k < 4; k++) {
+    check_open(k / 2 != 0, k % 2 != 0);
+  }
   check_offsets();
   check_path();
   check_models();
