@@ -4,9 +4,15 @@
 #include <string.h>
 
 #include "check.h"
+#include "filled.h"
+#include "gjk/compound.h"
+#include "gjk/concave.h"
+#include "gjk/slide.h"
+#include "placed.h"
 #include "same.h"
 #include "scene/world.h"
 #include "scene_bodies.h"
+#include "whorl.h"
 
 #define UPDATES 150
 
@@ -246,6 +252,58 @@ static void check_manifold_statuses(void) {
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_BODY_ID);
 }
 
+// A ball beside a shape that no search settles, alone or as a body of many parts: they count as near, at a bound and
+// without contacts. To queries of the ball the other one counts as near too, and is not passed.
+static void check_unsettled(bool concave, gjk_detail of_ball) {
+  const gjk_compound_part one = {&whorl, GJK_POSE_IDENTITY};
+  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, WORLD_CELLS, 0};
+  const gjk_scene_bindings all = {.details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = manifolds};
+  const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
+  const gjk_collider ball = placed(&whorl_ball, whorl_point);
+  const gjk_slide_setup walk = {{0, 0, GJK_Q30_ONE}, GJK_Q30_ONE / 2, GJK_SLIDE_SKIN_MIN, 0, 0, false, NULL};
+  const gjk_vec3 to = {0, 0, 0};
+  gjk_body_setup setup = {GJK_POSE_IDENTITY, part, 1, GJK_BODY_STATIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_concave body;
+  gjk_shape many;
+  gjk_body_id id[2];
+  gjk_scene_stats stats;
+  gjk_scene_hit hit[2];
+  gjk_cast_result cast;
+  gjk_slide_result slid;
+  uint32_t count;
+  bool found = false;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts parts = GJK_PARTS_OF_COMPOUND(&compound);
+  CHECK(gjk_concave_init(&parts, &body, &many) == GJK_OK);
+  const gjk_shape *const both[] = {concave ? &many : &whorl, &whorl_ball};
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, both, 2, &all) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &id[0]) == GJK_OK);
+  // Queries of the ball, which is not there yet.
+  memset(&cast, POISON, sizeof cast);
+  CHECK(gjk_scene_query_within(&scene, &ball, 0, NULL, NULL, hit, 2, &count) == GJK_OK && count == 1);
+  CHECK(gjk_scene_cast(&scene, &ball, &to, 0, NULL, &hit[0], &cast, &found) == GJK_ERROR_ITERATION_LIMIT && found);
+  CHECK(hit[0].body.slot == id[0].slot && hit[0].fraction == 0 && is_untouched(&cast, sizeof cast));
+  CHECK(gjk_scene_cast_all(&scene, &ball, &to, 0, NULL, NULL, hit, 2, &count) == GJK_OK && count == 1);
+  CHECK(gjk_slide(&scene, &ball, &to, &walk, &slid) == GJK_ERROR_ITERATION_LIMIT && slid.stuck);
+  CHECK(slid.position.x == whorl_point.x && slid.position.y == whorl_point.y && slid.position.z == whorl_point.z);
+  setup.pose.position = whorl_point;
+  setup.parts = &part[1];
+  setup.kind = GJK_BODY_DYNAMIC;
+  setup.detail = (uint8_t)of_ball;
+  CHECK(gjk_scene_add(&scene, &setup, &id[1]) == GJK_OK);
+  memset(manifolds, POISON, sizeof manifolds);
+  CHECK(update() == GJK_OK && progress.reports == 1 && report.event == GJK_EVENT_BEGIN);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled > 0);
+  CHECK(of_ball == GJK_DETAIL_DEPTH ? report.distance < 0 : report.distance == 0);
+  if (of_ball == GJK_DETAIL_CONTACTS) {
+    const gjk_manifold *m = report.manifold;
+    CHECK(m == manifolds && m->count == 0 && m->feature_a == 0 && m->feature_b == 0);
+    CHECK(m->normal.x == 0 && m->normal.y == 0 && m->normal.z == 0);
+  }
+}
+
 int main(void) {
   of_worlds = workspace;
   of_worlds.count = world_cells();
@@ -255,5 +313,8 @@ int main(void) {
   check_bounds();
   check_rest();
   check_manifold_statuses();
+  for (unsigned k = 0; k < 8; k++) {
+    check_unsettled(k / 4 != 0, (gjk_detail)(k % 4));
+  }
   return check_done("scene_contacts");
 }
