@@ -104,7 +104,7 @@ static void check_parts(random_state *random, const gjk_parts *parts, const gjk_
 
 static void check_scene(random_state *random, const gjk_aabb *near) {
   static const gjk_shape *shapes[CONCAVE_BODIES + 1];
-  const gjk_scene_config config = {.bodies = CONCAVE_BODIES + 1, .parts = CONCAVE_BODIES + 1, .pairs = 1};
+  const gjk_scene_config config = {.bodies = CONCAVE_BODIES + 2, .parts = CONCAVE_BODIES + 1, .pairs = 1};
   uint32_t count = 0, sum = 0, fewer = 0;
   unsigned lines = 0;
   CHECK(gjk_scene_bytes(&config) <= sizeof block);
@@ -130,6 +130,15 @@ static void check_scene(random_state *random, const gjk_aabb *near) {
   const gjk_draw out = to(&drawn);
   CHECK(gjk_draw_scene_concave(&out, &scene, near, UINT32_MAX, GJK_DRAW_STATIC, &count) == GJK_OK);
   CHECK(count == sum && drawn.lines == lines);
+  // The other query draws the convex part alone. One slot has no body.
+  gjk_collider mover;
+  gjk_body_id last;
+  const gjk_draw alone = to(&of_one);
+  CHECK(gjk_scene_body_at(&scene, CONCAVE_BODIES, &last) == GJK_OK);
+  CHECK(gjk_scene_collider(&scene, last, 0, &mover) == GJK_OK);
+  CHECK(gjk_draw_collider(&alone, &mover, GJK_DRAW_STATIC) == GJK_OK);
+  const gjk_draw convex = to(&other);
+  CHECK(gjk_draw_scene(&convex, &scene, GJK_DRAW_SHAPES) == GJK_OK && other.lines == of_one.lines);
   if (sum > 0) {
     const uint32_t some = random_below(random, sum);
     const gjk_draw few = to(&other);

@@ -321,6 +321,20 @@ static void check_corrupt(void) {
   memcpy(block, sound, sizeof block);
   v.kept[1].other = GJK_SCENE_NONE;
   CHECK(gjk_scene_check(&scene) == GJK_OK);
+  // A stick that has turned, and is not posed yet, has one half axis.
+  gjk_scene_config wide = room;
+  wide.box_margin = 8 * ONE;
+  CHECK(gjk_scene_init(&scene, &wide, block, sizeof block, kinds, 4, &bindings) == GJK_OK);
+  CHECK(gjk_scene_view_of(&scene, &v) == GJK_OK);
+  const gjk_body_id stick_id = put(3, GJK_BODY_DYNAMIC, 0, 0);
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  pose.rotation.w = 0;
+  pose.rotation.x = GJK_Q30_ONE;
+  CHECK(gjk_scene_move(&scene, stick_id, &pose) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  CHECK((v.parts[v.bodies[stick_id.slot].first].state & GJK_SCENE_UNPOSED) != 0);
+  memcpy(sound, block, sizeof block);
+  BROKEN(v.parts[v.bodies[stick_id.slot].first].frame[1].y, 1);
+  BROKEN(v.parts[v.bodies[stick_id.slot].first].frame[2].x, -1);
 }
 
 // Where a body was at the last update, until the next one; a teleport begins anew.

@@ -207,6 +207,46 @@ static void check_borders(void) {
   }
 }
 
+// Bodies that turned since the last update: where they are counts, not the boxes around all that they may have turned
+// to. The opposite quaternion is the same rotation. The part of one goes a long way around its body, to a post.
+static void check_turned(void) {
+  static const gjk_shape crate = GJK_BOX(100, 100, 100), point = GJK_POINT;
+  static const gjk_shape *const shapes[] = {&crate};
+  static const gjk_scene_config config = {3, 3, 1, 2, GJK_Q16_ONE, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
+  static uint32_t block[800];
+  const gjk_q16 away = INT32_C(1) << 28;
+  const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {0, true, {{away, 0, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
+  const gjk_vec3 beside = {110, 0, 0};
+  const gjk_collider c = placed(&point, beside);
+  gjk_body_setup setup = {GJK_POSE_IDENTITY, part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_scene scene;
+  gjk_body_id turning, arm, post;
+  gjk_scene_hit hit;
+  gjk_report report;
+  gjk_progress progress;
+  uint32_t count;
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1, NULL) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &turning) == GJK_OK);
+  setup.pose.position.y = away;
+  CHECK(gjk_scene_add(&scene, &setup, &post) == GJK_OK);
+  setup.pose.position.y = 0;
+  setup.parts = &part[1];
+  CHECK(gjk_scene_add(&scene, &setup, &arm) == GJK_OK);
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports == 0);
+  pose.rotation.z = pose.rotation.w = 759250125;  // a quarter, but for 2^-31
+  for (unsigned i = 0; i < 2; i++) {
+    CHECK(gjk_scene_move(&scene, turning, &pose) == GJK_OK && gjk_scene_move(&scene, arm, &pose) == GJK_OK);
+    CHECK(gjk_scene_query_within(&scene, &c, 8, NULL, NULL, &hit, 1, &count) == GJK_OK && count == 0);
+    CHECK(gjk_scene_query_within(&scene, &c, 12, NULL, NULL, &hit, 1, &count) == GJK_OK && count == 1);
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
+    pose.rotation.z = -pose.rotation.z;
+    pose.rotation.w = -pose.rotation.w;
+  }
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports == 1);
+  CHECK(report.event == GJK_EVENT_BEGIN && report.a.slot == post.slot && report.b.slot == arm.slot);
+}
+
 int main(void) {
   const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_TOUCH, 0, 0, false, false, false,
                                  false,        0,          false};
@@ -215,6 +255,7 @@ int main(void) {
   check_refusals();
   check_equals();
   check_borders();
+  check_turned();
   check_far(&random);
   free(w.scene.block);
   return check_done("scene_query");
