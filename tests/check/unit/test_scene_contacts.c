@@ -261,6 +261,8 @@ static void check_unsettled(bool concave, gjk_detail of_ball) {
   const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
   const gjk_collider ball = placed(&whorl_ball, whorl_point);
   const gjk_slide_setup walk = {{0, 0, GJK_Q30_ONE}, GJK_Q30_ONE / 2, GJK_SLIDE_SKIN_MIN, 0, 0, false, NULL};
+  const gjk_shape small = GJK_SPHERE(GJK_Q16(0.5));
+  const gjk_collider free_ball = placed(&small, whorl_point);
   const gjk_vec3 to = {0, 0, 0};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, part, 1, GJK_BODY_STATIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   gjk_compound_node node;
@@ -287,6 +289,8 @@ static void check_unsettled(bool concave, gjk_detail of_ball) {
   CHECK(hit[0].body.slot == id[0].slot && hit[0].fraction == 0 && is_untouched(&cast, sizeof cast));
   CHECK(gjk_scene_cast_all(&scene, &ball, &to, 0, NULL, NULL, hit, 2, &count) == GJK_OK && count == 1);
   CHECK(gjk_slide(&scene, &ball, &to, &walk, &slid) == GJK_ERROR_ITERATION_LIMIT && slid.stuck);
+  CHECK(slid.position.x == whorl_point.x && slid.position.y == whorl_point.y && slid.position.z == whorl_point.z);
+  CHECK(gjk_slide(&scene, &free_ball, &to, &walk, &slid) == GJK_ERROR_ITERATION_LIMIT && !slid.stuck);
   CHECK(slid.position.x == whorl_point.x && slid.position.y == whorl_point.y && slid.position.z == whorl_point.z);
   setup.pose.position = whorl_point;
   setup.parts = &part[1];

@@ -227,6 +227,23 @@ static void check_eaves(void) {
   CHECK(r.count == 2 && is_near(r.position.y, 4 * ONE - ONE / 2 - SKIN, 8));
 }
 
+// Between two walls that leave room for so much beside the skin, or for less: it goes on along both. At the end a slope leads
+// into the upper one.
+static void check_corridor(gjk_q16 beside) {
+  const gjk_q16 above = 3 * ONE / 2 + SKIN + beside;
+  const gjk_vec3 start = VECTOR(0, 0, 0), to = VECTOR(12 * ONE, -9, 0);
+  gjk_slide_setup setup = usual();
+  gjk_collider c;
+  setup.step = setup.reach = 0;
+  add_slope(6 * ONE, 0);
+  add_at(0, 0, above, 0);
+  add_at(0, 0, -above, 0);
+  set_walker(&c, &robot, start);
+  const gjk_slide_result r = walk(&c, to, &setup);
+  CHECK(!r.stuck && r.position.x > 3 * ONE && r.position.x < 6 * ONE);
+  CHECK(r.position.y <= above - 3 * ONE / 2 && r.position.y >= 3 * ONE / 2 - above);
+}
+
 #if SPACE
 // Down into the valley of two steep slopes, and on along it, beside both. Their normals are (-0.8276, 0.3793, 0.4138) and
 // (0.9150, 0.3072, -0.2614); the line of both leads along (0.226, -0.162, 0.601).
@@ -251,6 +268,31 @@ static void check_valley(void) {
   CHECK(r.count == 2 && r.position.z > ONE);
   CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
   CHECK(gjk_scene_query_within(&scene, &c, SKIN + 16, NULL, NULL, NULL, 0, &count) == GJK_OK && count == 2);
+}
+
+// Down into a pit of three slopes, where no line of two of them leads on.
+static void check_pit(void) {
+  static const gjk_quat turn[3] = {{0, 0, -866, 1500}, {750, 0, 433, 1500}, {-750, 0, 433, 1500}};
+  static const gjk_vec3 middle[3] = {{-GJK_Q16(0.866), -GJK_Q16(0.5), 0},
+                                     {GJK_Q16(0.433), -GJK_Q16(0.5), -GJK_Q16(0.75)},
+                                     {GJK_Q16(0.433), -GJK_Q16(0.5), GJK_Q16(0.75)}};
+  const gjk_vec3 start = {ONE / 8, 6 * ONE, ONE / 16}, to = {ONE / 8, -6 * ONE, ONE / 16};
+  gjk_slide_setup setup = usual();
+  gjk_collider c;
+  uint32_t count = 0;
+  setup.step = setup.reach = 0;
+  start_scene();
+  for (unsigned i = 0; i < 3; i++) {
+    gjk_pose pose = GJK_POSE_IDENTITY;
+    pose.position = middle[i];
+    CHECK(gjk_quat_normalize(&turn[i], &pose.rotation) == GJK_OK);
+    scene_add_shape(&scene, 0, GJK_BODY_STATIC, &pose);
+  }
+  set_walker(&c, &robot, start);
+  const gjk_slide_result r = walk(&c, to, &setup);
+  CHECK(r.count == 3 && r.left.x == 0 && r.left.y == 0 && r.left.z == 0);
+  CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
+  CHECK(gjk_scene_query_within(&scene, &c, SKIN + 16, NULL, NULL, NULL, 0, &count) == GJK_OK && count == 3);
 }
 #endif
 
@@ -407,7 +449,11 @@ int main(void) {
     check_eaves();
 #if SPACE
     check_valley();
+    check_pit();
 #endif
+    for (gjk_q16 beside = -SKIN / 2; beside < 4; beside += beside < 0 ? SKIN / 2 : 1) {
+      check_corridor(beside);
+    }
   }
   for (unsigned i = 0; i < ROOMS; i++) {
     check_trial(i, NULL, NULL);
