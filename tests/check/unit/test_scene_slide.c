@@ -227,8 +227,8 @@ static void check_eaves(void) {
   CHECK(r.count == 2 && is_near(r.position.y, 4 * ONE - ONE / 2 - SKIN, 8));
 }
 
-// Between two walls that leave room for so much beside the skin, or for less: it goes on along both. At the end a slope leads
-// into the upper one.
+// Between two walls that leave so much room beside the skin, or less than it: it goes on along both. The slope at the
+// end leads into the upper one.
 static void check_corridor(gjk_q16 beside) {
   const gjk_q16 above = 3 * ONE / 2 + SKIN + beside;
   const gjk_vec3 start = VECTOR(0, 0, 0), to = VECTOR(12 * ONE, -9, 0);
