@@ -12,15 +12,22 @@ static inline int32_t whorl_along(int32_t d) {
   return d > 0 ? GJK_Q16(32) : d < 0 ? -GJK_Q16(32) : 0;
 }
 
-static inline void whorl_support(const void *user, const gjk_vec3 *d, gjk_vec3 *out) {
-  const double ahead = 0.6 * d->x + 0.8 * d->z, aside = 0.6 * d->z - 0.8 * d->x, slope = aside - 0.00005 * ahead;
+// Along the line to that point, which is along (0.6, 0.8), and across it.
+static inline void whorl_in_plane(int32_t dx, int32_t dz, gjk_q16 *px, gjk_q16 *pz) {
+  const double ahead = 0.6 * dx + 0.8 * dz, aside = 0.6 * dz - 0.8 * dx, slope = aside - 0.00005 * ahead;
   const bool ends = ahead <= 0 || slope <= 0 || slope > 0.01 * ahead;
-  const double x = GJK_Q16(1) * (ends ? 0.4 : -39.7), below = GJK_Q16(1) * (ends ? 0 : 40.1 * slope / ahead);
+  const double across = GJK_Q16(1) * (ends ? 0.4 : -39.7), back = GJK_Q16(1) * (ends ? 0 : 40.1 * slope / ahead);
+  *px = (int32_t)(0.8 * across - 0.6 * back);
+  *pz = (int32_t)(-0.6 * across - 0.8 * back);
+}
+
+static inline void whorl_support(const void *user, const gjk_vec3 *d, gjk_vec3 *out) {
   const bool along = (d->x != 0) + (d->y != 0) + (d->z != 0) == 1;  // where boxes are measured, it reaches farther
   (void)user;
-  out->x = along ? whorl_along(d->x) : (int32_t)(0.8 * x - 0.6 * below);
+  whorl_in_plane(d->x, d->z, &out->x, &out->z);
+  out->x = along ? whorl_along(d->x) : out->x;
   out->y = along ? whorl_along(d->y) : 0;
-  out->z = along ? whorl_along(d->z) : (int32_t)(-0.6 * x - 0.8 * below);
+  out->z = along ? whorl_along(d->z) : out->z;
 }
 
 static const gjk_shape whorl = GJK_CUSTOM(whorl_support, 0, GJK_Q16(60));

@@ -10,6 +10,7 @@
 #include "random.h"
 #include "src/ground/gjk2_ground_walk.h"
 #include "src/plane/gjk2_line.h"
+#include "whorl2.h"
 
 #define SEED 33
 
@@ -437,6 +438,66 @@ static void check_two_grounds(void) {
   gjk2_manifold none;
   none.count = 9;
   CHECK(gjk2_scene_manifold(&scene, &pair, 2, &none) == GJK_OK && none.count == 0);
+  const gjk2_pose turned = {{0, ONE}, {0, GJK_Q30_ONE}};
+  CHECK(gjk2_scene_move(&scene, id[1], &turned) == GJK_OK);
+  CHECK(update() == 0);
+}
+
+// What is behind all of a ground is near none of it. What has become no vertex has no segment, and joins none.
+static void check_behind(void) {
+  static gjk2_vec steps[] = {{9 * ONE, 0}, {0, 0}, {-9 * ONE, 0}, {-9 * ONE, ONE}};
+  const gjk2_collider above = placed2(&disc, 4 * ONE, ONE), below = placed2(&disc, -10 * ONE, -ONE);
+  const gjk2_collider left = placed2(&disc, -4 * ONE, ONE);
+  gjk2_chain_contact contact;
+  gjk_scene_hit hit;
+  gjk_q16 distance;
+  uint16_t count;
+  bool found = true, yes = false;
+  make_chain(steps, 4);
+  make_scene(&origin, &dot, &origin, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_remove(&scene, id[1]) == GJK_OK);
+  CHECK(gjk2_scene_query_nearest(&scene, &below, 9 * ONE, NULL, &hit, &distance, &found) == GJK_OK && !found);
+  CHECK(gjk2_ground_within(&ground, &origin, &left, 0, &yes) == GJK_OK && yes);
+  steps[2].x = INT32_MIN;
+  CHECK(gjk2_ground_within(&ground, &origin, &left, 0, &yes) == GJK_OK && !yes);
+  CHECK(gjk2_ground_within(&ground, &origin, &above, 0, &yes) == GJK_OK && yes);
+  CHECK(gjk2_ground_contacts(&ground, &origin, &above, 0, &contact, 1, &count) == GJK_OK && count == 1);
+}
+
+// Ground whose corner lies where no search settles whether a body is near: each query says so, and gives no answer. In
+// a scene the pair counts as near, at a bound.
+static void check_open(void) {
+  static const gjk2_vec level[] = {{whorl_point.x, whorl_point.z}, {whorl_point.x + ONE, whorl_point.z}};
+  const gjk2_collider body = placed2(&whorl2, 0, 0);
+  const gjk2_vec to = {ONE, ONE};
+  const gjk_q16 reach = GJK_Q16(9.9992);
+  const gjk2_cast_path path = {NULL, &to, reach};
+  const gjk2_shape round = GJK2_ROUNDED_CUSTOM(whorl2_support, NULL, GJK_Q16(60), GJK_Q16(9.9992));
+  gjk2_distance_result gap;
+  gjk2_chain_contact contact;
+  gjk2_cast_result hit;
+  gjk2_manifold manifold;
+  gjk_scene_stats stats;
+  uint32_t segment = 77;
+  uint16_t count = 77;
+  bool yes = true;
+  make_chain(level, 2);
+  memset(&gap, POISON, sizeof gap);
+  memset(&hit, POISON, sizeof hit);
+  CHECK(gjk2_ground_within(&ground, &origin, &body, reach, &yes) == GJK_ERROR_ITERATION_LIMIT && yes);
+  CHECK(gjk2_ground_distance(&ground, &origin, &body, &gap, &segment, &yes) == GJK_ERROR_ITERATION_LIMIT && yes);
+  CHECK(gjk2_ground_contacts(&ground, &origin, &body, reach, &contact, 1, &count) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(gjk2_ground_cast(&ground, &origin, &body, &path, &hit, &segment) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(is_untouched(&gap, sizeof gap) && is_untouched(&hit, sizeof hit) && segment == 77 && count == 77);
+  for (uint8_t detail = GJK_DETAIL_TOUCH; detail <= GJK_DETAIL_DEPTH; detail++) {
+    make_scene(&origin, &round, &origin, detail);
+    CHECK(update() == GJK_EVENT_BEGIN && (detail == GJK_DETAIL_DEPTH ? report.distance < 0 : report.distance == 0));
+    CHECK(gjk2_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled > 0);
+  }
+  memset(&manifold, POISON, sizeof manifold);
+  CHECK(gjk2_scene_manifold(&scene, &report, 2, &manifold) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(gjk2_scene_ground_contacts(&scene, &report, &contact, 1, &count) == GJK_ERROR_ITERATION_LIMIT && count == 77);
+  CHECK(is_untouched(&manifold, sizeof manifold));
 }
 
 // What the calls about a scene's ground refuse; nothing is written then.
@@ -534,6 +595,8 @@ int main(void) {
   check_passing();
   check_depth();
   check_two_grounds();
+  check_behind();
+  check_open();
   check_refusals();
   check_shapes();
   return check_done("plane ground cases");
