@@ -1,5 +1,9 @@
 // Ellipses and custom shapes: distances and depths against circles and polygons that stand for them, low ceilings, bounds.
+#include "filled.h"
+#include "gjk2/chain.h"
+#include "placed2.h"
 #include "plane.h"
+#include "whorl2.h"
 
 #define SEED 2005
 #define TRIALS check_trials(20000)
@@ -90,6 +94,37 @@ static void check_efforts(random_state *r, const gjk2_collider *a, const gjk2_co
   }
 }
 
+// A ball beside a shape that no search settles, which may touch it: no query decides, and bounds hold what is left. Of
+// contacts and of chains through the ball's middle there is no answer.
+static void check_unsettled(void) {
+  static const gjk2_vec level[] = {{whorl_point.x, whorl_point.z}, {whorl_point.x + GJK_Q16(1), whorl_point.z}};
+  const gjk2_shape circle = GJK2_CIRCLE(GJK_Q16(9.9992)),
+                   round = GJK2_ROUNDED_CUSTOM(whorl2_support, NULL, GJK_Q16(60), GJK_Q16(9.9992));
+  const gjk2_collider a = placed2(&whorl2, 0, 0), b = placed2(&circle, whorl_point.x, whorl_point.z),
+                      c = placed2(&round, 0, 0);
+  const gjk2_vec origin = {0, 0};
+  gjk2_decision touch;
+  gjk2_distance_result gap, deep;
+  gjk2_penetration_result depth;
+  gjk2_manifold m;
+  gjk2_chain chain = {0};
+  uint16_t segment = 77;
+  bool yes = true;
+  memset(&depth, POISON, sizeof depth);
+  memset(&m, POISON, sizeof m);
+  CHECK(gjk2_intersect(&a, &b, NULL, &touch) == GJK_ERROR_ITERATION_LIMIT && touch.iterations == GJK_ITERATIONS_MAX);
+  CHECK(gjk2_distance(&a, &b, NULL, &gap) == GJK_ERROR_ITERATION_LIMIT && gap.lower == 0 && gap.upper > 0);
+  CHECK(gjk2_signed_distance(&a, &b, NULL, &deep) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(deep.lower <= 0 && deep.upper == gap.upper && deep.iterations == GJK_ITERATIONS_MAX);
+  CHECK(gjk2_penetration(&a, &b, NULL, &depth) == GJK_ERROR_ITERATION_LIMIT && is_untouched(&depth, sizeof depth));
+  CHECK(gjk2_contacts(&a, &b, 0, 2, NULL, &m) == GJK_ERROR_ITERATION_LIMIT && is_untouched(&m, sizeof m));
+  CHECK(gjk2_chain_init(&chain, level, 2, &origin) == GJK_OK);
+  memset(&gap, POISON, sizeof gap);
+  CHECK(gjk2_chain_intersect(&chain, &c, NULL, &yes, &segment) == GJK_ERROR_ITERATION_LIMIT && yes);
+  CHECK(gjk2_chain_distance(&chain, &c, NULL, &gap, &segment) == GJK_ERROR_ITERATION_LIMIT && segment == 77);
+  CHECK(is_untouched(&gap, sizeof gap));
+}
+
 int main(void) {
   static plane_body pair[2], exact;
   const int32_t sizes[] = {3, 40, 1000, 65536, 1 << 20};
@@ -106,6 +141,7 @@ int main(void) {
       check_efforts(&r, &pair[0].collider, &pair[1].collider);
     }
   }
+  check_unsettled();
   printf("apart %lu, together %lu, capacity %lu; distance off %d, depth off %d, most iterations %u\n", tally.apart,
          tally.together, tally.capacity, tally.distance, tally.depth, tally.iterations);
   CHECK(tally.apart > TRIALS / 10 && tally.together > TRIALS / 10 && tally.capacity < TRIALS / 20);
