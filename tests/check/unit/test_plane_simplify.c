@@ -149,9 +149,21 @@ static void test_cases(void) {
   CHECK(simple.vertices == 7 && simple.excess == 8);
 }
 
+// An octagon as wide as may be: the edges beside each edge meet beyond the room for corners. Its box is what is left.
+static void test_no_room(void) {
+  const int32_t r = GJK2_RADIUS_MAX, h = r / 100 * 71;
+  const int32_t x[8] = {r, h, 0, -h, -r, -h, 0, h}, y[8] = {0, h, r, h, 0, -h, -r, -h};
+  count = 0;
+  for (int i = 0; i < 8; i++) {
+    add(x[i], y[i]);
+  }
+  CHECK(check_simple(7) > (uint32_t)(r - h) && vertex[0].x == -r && vertex[0].y == -r);
+}
+
 int main(void) {
   test_circle();
   test_random();
   test_cases();
+  test_no_room();
   return check_done("plane simplify");
 }
