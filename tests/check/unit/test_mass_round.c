@@ -251,10 +251,18 @@ static void test_few(void) {
   static const gjk_vec3 v[4] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
   static const uint16_t inward[12] = {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0}, open[9] = {0, 2, 1, 0, 1, 3, 1, 2, 3},
                         end[4] = {3, 6, 9, 12};
-  const gjk_hull_faces turned = {inward, end, 4}, missing = {open, end, 3};
-  const gjk_shape unsound[2] = {GJK_ROUNDED_HULL_WITH_FACES(v, 4, &turned, 1),
-                                GJK_ROUNDED_HULL_WITH_FACES(v, 4, &missing, 1)};
-  for (int i = 0; i < 2; i++) {
+  // A face whose other side is outside, after one with the first corner; a triangle's two faces four times each.
+  static const gjk_vec3 w[4] = {{0, 9, 0}, {9, 0, 0}, {0, 0, 0}, {0, 0, -9}};
+  static const uint16_t across[9] = {2, 1, 0, 0, 1, 3, 2, 0, 3}, again[9] = {2, 1, 0, 1, 0, 3, 2, 0, 3},
+                        often[24] = {0, 1, 2, 0, 2, 1, 0, 1, 2, 0, 2, 1, 0, 1, 2, 0, 2, 1, 0, 1, 2, 0, 2, 1},
+                        ends[8] = {3, 6, 9, 12, 15, 18, 21, 24};
+  const gjk_hull_faces turned = {inward, end, 4}, missing = {open, end, 3}, behind = {across, end, 3},
+                       before = {again, end, 3}, repeated = {often, ends, 8};
+  const gjk_shape unsound[5] = {
+      GJK_ROUNDED_HULL_WITH_FACES(v, 4, &turned, 1), GJK_ROUNDED_HULL_WITH_FACES(v, 4, &missing, 1),
+      GJK_ROUNDED_HULL_WITH_FACES(w, 4, &behind, 1), GJK_ROUNDED_HULL_WITH_FACES(w, 4, &before, 1),
+      GJK_ROUNDED_HULL_WITH_FACES(v, 3, &repeated, 1 << 20)};
+  for (int i = 0; i < 5; i++) {
     memcpy(&m[1], &m[0], sizeof m[0]);
     CHECK(gjk_mass_of_shape(&unsound[i], &m[1]) == GJK_ERROR_RANGE && memcmp(&m[0], &m[1], sizeof m[0]) == 0);
   }
