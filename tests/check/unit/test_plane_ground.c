@@ -650,8 +650,11 @@ static void check_statuses(void) {
 
 // What the makers refuse; only OK writes.
 static void check_makers(void) {
-  static const gjk2_vec two[2] = {{GJK_Q16(1), 0}, {0, 0}},
-                        apart[3] = {{GJK_Q16(4000), GJK_Q16(4000)}, {0, 0}, {GJK_Q16(-4000), GJK_Q16(-4000)}};
+  static const gjk2_vec two[2] = {{GJK_Q16(1), 0}, {0, 0}}, apart[5] = {{GJK_Q16(3000), GJK_Q16(3000)},
+                                                                        {GJK_Q16(1000), GJK_Q16(1000)},
+                                                                        {0, 0},
+                                                                        {GJK_Q16(-1000), GJK_Q16(-1000)},
+                                                                        {GJK_Q16(-3000), GJK_Q16(-3000)}};
   static const int16_t hill[3] = {0, INT16_MAX, 0};
   static const uint8_t cell[1] = {0};
   static const gjk2_tile empty[1] = {GJK2_TILE(0, 0)};
@@ -687,7 +690,7 @@ static void check_makers(void) {
         gjk2_ground_of_chain(&p, &out, NULL) == GJK_ERROR_NULL);
   // Each vertex and segment is within its limit, the box's corner is not.
   p.vertices = apart;
-  p.count = 3;
+  p.count = 5;
   p.index = NULL;
   CHECK(gjk2_ground_of_chain(&p, &out, &made) == GJK_ERROR_SIZE);
   // Heights of 2^28: no vertex, and one beside a vertex within. A column beyond the last that fits.
