@@ -2,6 +2,7 @@
 // are as far apart as their margins reach are told as a scene without skips and the query tell them.
 #include <math.h>
 
+#include "placed2.h"
 #include "plane.h"
 #include "src/plane_scene/gjk2_scene_names.h"
 // The view of a block, under the plane's names.
@@ -186,9 +187,33 @@ static void check_motion(random_state *random) {
   CHECK(gjk2_scene_check(&scene) == GJK_OK);
 }
 
+// Margins that reach so far that centres are 2^29 apart along an axis, or an LSB less: the pair is near. It claims no
+// gap where the decision's feature cannot be measured.
+static void check_far_centres(void) {
+  const gjk2_shape wall = GJK2_BOX(INT32_C(1) << 27, GJK_Q16(2));
+  const gjk2_shape *const shapes[2] = {&wall, &wall};
+  const gjk2_part part[2] = {{.shape = 0}, {.shape = 1}};
+  for (int less = 0; less < 2; less++) {
+    gjk2_body_setup setup[2];
+    gjk2_collider c[2];
+    for (int i = 0; i < 2; i++) {
+      const gjk2_body_setup usual = {GJK2_POSE_IDENTITY, &part[i], 1, GJK_BODY_DYNAMIC, 0, 1, 1, 0, GJK2_RADIUS_MAX};
+      setup[i] = usual;
+      setup[i].pose.position.x = i == 0 ? -(INT32_C(1) << 28) : (INT32_C(1) << 28) - less;
+      setup[i].pose.position.y = i == 0 ? 0 : INT32_C(3) << 27;
+      c[i] = posed2(&wall, &setup[i].pose);
+    }
+    start(&quick, &quick_config, quick_block, shapes, setup);
+    start(&plain, &plain_config, plain_block, shapes, setup);
+    CHECK(update(&quick) && update(&plain));
+    check_gap(&c[0], &c[1], 2 * GJK2_RADIUS_MAX);
+  }
+}
+
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   check_turns(&random);
+  check_far_centres();
   for (unsigned i = 0; i < PATHS; i++) {
     check_trial(i, NULL, NULL);
     check_path(&random);
