@@ -1,6 +1,8 @@
 // gjk2_contacts: points on the surfaces, opposite each other, the least distance among them, two where
 // edges meet, and ids that hold still.
+#include "placed2.h"
 #include "plane.h"
+#include "plane_same.h"
 
 #define SEED 2004
 #define TRIALS check_trials(40000)
@@ -119,6 +121,45 @@ static void check_kinds(plane_body *pair) {
   CHECK(m.feature_b == 0);
 }
 
+// Large polygons face to face: their contacts are the same with their corners posed in a buffer and without one.
+static void check_buffers(random_state *r, plane_body *pair) {
+  const int32_t s = random_range(r, INT32_C(1) << 24, INT32_C(1) << 27), h = s / 2;
+  const gjk2_vec corner[5] = {{-s, 0}, {s, 0}, {s, h}, {0, s}, {-s, h}};
+  gjk2_manifold with, without;
+  gjk2_vec down;
+  for (int i = 0; i < 2; i++) {
+    memcpy(pair[i].vertices, corner, sizeof corner);
+    pair[i].shape = (gjk2_shape)GJK2_POLYGON(pair[i].vertices, 5);
+    if (i == 0) {
+      pair[i].pose.rotation = plane_random_rotation(r);
+    } else {
+      pair[i].pose.rotation.c = -pair[0].pose.rotation.c;
+      pair[i].pose.rotation.s = -pair[0].pose.rotation.s;
+    }
+    const gjk2_pose turn = {{0, 0}, pair[0].pose.rotation};
+    const gjk2_vec below = {random_range(r, -h, h), random_range(r, -9, 9)};
+    CHECK(gjk2_pose_apply(&turn, &below, &down) == GJK_OK);
+    pair[i].pose.position.x = i == 0 ? 0 : down.x;
+    pair[i].pose.position.y = i == 0 ? 0 : down.y;
+    plane_place(&pair[i], true);
+  }
+  CHECK(gjk2_contacts(&pair[0].collider, &pair[1].collider, 99, 2, NULL, &with) == GJK_OK && with.count == 2);
+  plane_place(&pair[0], false);
+  plane_place(&pair[1], false);
+  CHECK(gjk2_contacts(&pair[0].collider, &pair[1].collider, 99, 2, NULL, &without) == GJK_OK);
+  CHECK(same_manifold(&with, &without));
+}
+
+// Boxes so far apart that faces are not matched: one contact, of the nearest points.
+static void check_far(void) {
+  const gjk2_shape box = GJK2_BOX(1000, 1000);
+  const gjk2_collider a = placed2(&box, -(INT32_C(1) << 29), 0), b = placed2(&box, INT32_C(1) << 29, 0);
+  gjk2_manifold m;
+  CHECK(gjk2_contacts(&a, &b, INT32_MAX, 2, NULL, &m) == GJK_OK && m.count == 1);
+  CHECK(m.contact[0].distance == (INT32_C(1) << 30) - 2000 && m.normal.x >= GJK_Q30_ONE - 2);
+  CHECK(m.contact[0].point_a.x == a.centre.x + 1000 && m.contact[0].point_b.x == b.centre.x - 1000);
+}
+
 static void check_arguments(const plane_body *pair) {
   gjk2_manifold m, before;
   const gjk2_collider *a = &pair[0].collider, *b = &pair[1].collider;
@@ -140,6 +181,7 @@ int main(void) {
   const uint64_t seed = check_seed(SEED);
   check_kinds(pair);
   check_arguments(pair);
+  check_far();
   for (unsigned long i = 0; i < TRIALS; i++) {
     random_state r = random_seed(seed + i);
     const int32_t size = sizes[random_below(&r, 9)];
@@ -151,6 +193,7 @@ int main(void) {
     random_state r = random_seed(~(seed + i));
     check_trial(i, plane_print, pair);
     check_rest(&r, pair);
+    check_buffers(&r, pair);
   }
   printf("none %lu, one %lu, two %lu; off %Lf, askew %Lf, gap %Lf; ids kept %lu, lost %lu\n", tally.none, tally.one,
          tally.two, tally.off, tally.askew, tally.gap, tally.kept, tally.lost);
