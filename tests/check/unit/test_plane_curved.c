@@ -97,7 +97,7 @@ static void check_efforts(random_state *r, const gjk2_collider *a, const gjk2_co
 // A ball beside a shape that no search settles, which may touch it: no query decides, and bounds hold what is left. Of
 // contacts and of chains through the ball's middle there is no answer.
 static void check_unsettled(void) {
-  static const gjk2_vec level[] = {{whorl_point.x, whorl_point.z}, {whorl_point.x + GJK_Q16(1), whorl_point.z}};
+  const gjk2_vec level[] = {{whorl_point.x, whorl_point.z}, {whorl_point.x + GJK_Q16(1), whorl_point.z}};
   const gjk2_shape circle = GJK2_CIRCLE(GJK_Q16(9.9992)),
                    round = GJK2_ROUNDED_CUSTOM(whorl2_support, NULL, GJK_Q16(60), GJK_Q16(9.9992));
   const gjk2_collider a = placed2(&whorl2, 0, 0), b = placed2(&circle, whorl_point.x, whorl_point.z),

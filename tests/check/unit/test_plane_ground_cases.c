@@ -467,7 +467,7 @@ static void check_behind(void) {
 // Ground whose corner lies where no search settles whether a body is near: each query says so, and gives no answer. In
 // a scene the pair counts as near, at a bound.
 static void check_open(void) {
-  static const gjk2_vec level[] = {{whorl_point.x, whorl_point.z}, {whorl_point.x + ONE, whorl_point.z}};
+  const gjk2_vec level[] = {{whorl_point.x, whorl_point.z}, {whorl_point.x + ONE, whorl_point.z}};
   const gjk2_collider body = placed2(&whorl2, 0, 0);
   const gjk2_vec to = {ONE, ONE};
   const gjk_q16 reach = GJK_Q16(9.9992);
