@@ -107,7 +107,14 @@ static void check_unsettled(void) {
   gjk2_distance_result gap, deep;
   gjk2_penetration_result depth;
   gjk2_manifold m;
+  gjk2_cast_result cast;
+  gjk2_impact_result impact;
   gjk2_chain chain = {0};
+  const gjk2_vec to = {0, whorl_point.z};
+  const gjk2_cast_path path = {NULL, &to, 0};
+  const gjk2_pose at_a = {origin, {GJK_Q30_ONE, 0}}, at_b = {{whorl_point.x, whorl_point.z}, {GJK_Q30_ONE, 0}};
+  const gjk2_motion still = {at_a, at_a, 0}, rests = {at_b, at_b, 0};
+  const gjk2_impact_setup setup = {0, GJK2_IMPACT_TOLERANCE_MIN, 0};
   uint16_t segment = 77;
   bool yes = true;
   memset(&depth, POISON, sizeof depth);
@@ -118,6 +125,10 @@ static void check_unsettled(void) {
   CHECK(deep.lower <= 0 && deep.upper == gap.upper && deep.iterations == GJK_ITERATIONS_MAX);
   CHECK(gjk2_penetration(&a, &b, NULL, &depth) == GJK_ERROR_ITERATION_LIMIT && is_untouched(&depth, sizeof depth));
   CHECK(gjk2_contacts(&a, &b, 0, 2, NULL, &m) == GJK_ERROR_ITERATION_LIMIT && is_untouched(&m, sizeof m));
+  memset(&cast, POISON, sizeof cast);
+  CHECK(gjk2_cast(&a, &b, &path, &cast) == GJK_ERROR_ITERATION_LIMIT && is_untouched(&cast, sizeof cast));
+  CHECK(gjk2_time_of_impact(&a, &still, &b, &rests, &setup, &impact) == GJK_ERROR_ITERATION_LIMIT);
+  CHECK(!impact.hit && impact.lower == 0 && impact.upper == GJK_Q30_ONE);
   CHECK(gjk2_chain_init(&chain, level, 2, &origin) == GJK_OK);
   memset(&gap, POISON, sizeof gap);
   CHECK(gjk2_chain_intersect(&chain, &c, NULL, &yes, &segment) == GJK_ERROR_ITERATION_LIMIT && yes);
