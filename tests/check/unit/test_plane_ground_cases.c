@@ -500,6 +500,24 @@ static void check_open(void) {
   CHECK(is_untouched(&manifold, sizeof manifold));
 }
 
+// A fast body whose arc leaves int32 between its ends, near ground: no impact is proven or ruled out. One is reported at
+// the start.
+static void check_arc_out_of_range(void) {
+  static const gjk2_vec level[] = {{GJK2_GROUND_REACH, 0}, {GJK2_GROUND_REACH - ONE, 0}};
+  static const gjk2_vec corner[3] = {{INT32_C(1) << 28, 0}, {(INT32_C(1) << 28) + ONE, 0}, {INT32_C(1) << 28, ONE}};
+  static const gjk2_shape far = GJK2_TRIANGLE(corner);
+  const gjk2_pose of_ground = {{INT32_MAX - 2 * GJK2_GROUND_REACH, 0}, {GJK_Q30_ONE, 0}};
+  gjk2_pose from = {{INT32_MAX - (INT32_C(1) << 27), 0}, {GJK_Q30_ONE, 0}}, to = from;
+  CHECK(gjk2_rotation_from_angle(GJK_ANGLE(1.4), &from.rotation) == GJK_OK);
+  CHECK(gjk2_rotation_from_angle(-GJK_ANGLE(1.4), &to.rotation) == GJK_OK);
+  make_chain(level, 2);
+  make_scene(&of_ground, &far, &from, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
+  CHECK(update() == 0);
+  CHECK(gjk2_scene_move(&scene, id[1], &to) == GJK_OK);
+  CHECK(update() == GJK_EVENT_IMPACT && report.fraction == 0);
+}
+
 // What the calls about a scene's ground refuse; nothing is written then.
 static void check_refusals(void) {
   static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
@@ -597,6 +615,7 @@ int main(void) {
   check_two_grounds();
   check_behind();
   check_open();
+  check_arc_out_of_range();
   check_refusals();
   check_shapes();
   return check_done("plane ground cases");
