@@ -12,7 +12,7 @@ static inline int32_t whorl_along(int32_t d) {
   return d > 0 ? GJK_Q16(32) : d < 0 ? -GJK_Q16(32) : 0;
 }
 
-// Along the line to that point, which is along (0.6, 0.8), and across it.
+// What it says of a direction in the plane of its edges: ahead is along (0.6, 0.8), about towards the point.
 static inline void whorl_in_plane(int32_t dx, int32_t dz, gjk_q16 *px, gjk_q16 *pz) {
   const double ahead = 0.6 * dx + 0.8 * dz, aside = 0.6 * dz - 0.8 * dx, slope = aside - 0.00005 * ahead;
   const bool ends = ahead <= 0 || slope <= 0 || slope > 0.01 * ahead;
@@ -32,7 +32,7 @@ static inline void whorl_support(const void *user, const gjk_vec3 *d, gjk_vec3 *
 
 static const gjk_shape whorl = GJK_CUSTOM(whorl_support, 0, GJK_Q16(60));
 
-// A ball around that point: does it touch the whorl?
+// That point, and a ball around it of which nobody can tell whether it touches.
 static const gjk_vec3 whorl_point = {GJK_Q16(6.24), 0, GJK_Q16(7.82)};
 static const gjk_shape whorl_ball = GJK_SPHERE(GJK_Q16(9.9992));
 
