@@ -162,7 +162,7 @@ gjk_status gjk2_index_build(const gjk2_polyline *chain, gjk2_index_box *boxes, u
 // Order     of equally near or early segments, the one with the lowest number is reported.
 // Cost      that of the segments near the body; in a grid also a look at each tile near it.
 // Statuses of every call: NULL, UNINITIALISED, ROTATION, RANGE. ITERATION_LIMIT: a curved body, and a segment that
-// could matter reached a ceiling; nothing is written then.
+// could matter reached a ceiling; nothing is written then, except that contacts may stand in out, uncounted.
 
 // Is a segment that counts for the body at most distance away? As gjk2_within decides. NEGATIVE: distance.
 gjk_status gjk2_ground_within(const gjk2_ground *ground, const gjk2_pose *pose, const gjk2_collider *body,

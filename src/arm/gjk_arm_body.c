@@ -210,7 +210,7 @@ static gjk_status ask_piece(const gjk_arm *arm, const gjk_arm_pair *pair, uint32
   }
   status = gjk_distance(&pieces->piece, part, NULL, &found);
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
-    return status;
+    return status;  // not reached: both are posed
   }
   if (found.lower < *nearest || (found.lower == *nearest && *mine != GJK_PARTS_NONE && number < *mine)) {
     *nearest = found.lower;

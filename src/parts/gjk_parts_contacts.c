@@ -64,7 +64,7 @@ static gjk_status collect_contacts(const gjk_parts_frame *frame, gjk_region *reg
     }
     status = gjk_contacts(&c, b, of->margin, of->most, NULL, of->workspace, &found.manifold);
     if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
-      return status;
+      return status;  // not reached: both are posed
     }
     if (status != GJK_ERROR_ITERATION_LIMIT &&
         (found.manifold.count == 0 || (type->settle != NULL && !type->settle(frame, found.part, b, &found.manifold)))) {

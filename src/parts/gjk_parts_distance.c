@@ -51,7 +51,7 @@ static gjk_status ask_part(gjk_parts_nearest *n, const gjk_parts_frame *frame, c
   }
   status = gjk_distance_with(&c, b, GJK_DISTANCE_ALONE, NULL, &trial);
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
-    return status;
+    return status;  // not reached: both are posed
   }
   n->limited = n->limited || status != GJK_OK;
   if (is_nearer(n, &trial, number, of_b)) {
@@ -111,7 +111,7 @@ gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *
     if (status == GJK_ERROR_ITERATION_LIMIT) {
       n->lower = trial.lower < n->lower ? trial.lower : n->lower;
     } else if (status != GJK_OK) {
-      return status;
+      return status;  // not reached: step 2 has placed each part
     }
   }
   return GJK_OK;
@@ -124,7 +124,7 @@ gjk_status gjk_parts_nearest_report(const gjk_parts_nearest *n, const gjk_parts_
   gjk_status status = gjk_parts_place_in(frame, n->part, &room, &c);
   status = status == GJK_OK ? gjk_distance(&c, b, NULL, out) : status;
   if (status != n->status) {
-    return status;
+    return status;  // not reached: the same part had that status before
   }
   if (out->intersecting || !n->limited || (n->status == GJK_OK && n->lower >= out->distance)) {
     return GJK_OK;

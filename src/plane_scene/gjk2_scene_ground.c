@@ -144,7 +144,7 @@ static gjk_status distance_of_ground(const gjk2_scene_view *v, const gjk2_scene_
   uint32_t segment;
   bool found = false;
   if (!place_ground_pair(v, a, b, on_a, on_b, &p, &pose)) {
-    return GJK_ERROR_UNSUPPORTED;
+    return GJK_ERROR_UNSUPPORTED;  // not reached: two grounds make no pair
   }
   gjk_status status = depth ? depth_of_ground(&p, &pose, out, &found) : GJK_OK;
   if (status == GJK_OK && found) {

@@ -223,7 +223,7 @@ bool gjk_claim_overlap(gjk_q16 depth, const gjk_unit3 *normal, const gjk_vec3 *a
   gjk_u192_set(&squared, 0);
   gjk_u192_set(&limit, 0);
   for (int i = 0; i < 3; i++) {
-    if (apart[i] < -most || apart[i] > most) {
+    if (apart[i] < -most || apart[i] > most) {  // not reached: both points are on shapes that overlap
       return false;
     }
     // |apart| 2^30 <= 2^61, |depth unit| <= 2^61: their difference is halved, rounded to the nearest, to fit.

@@ -198,7 +198,7 @@ GJK_OUT_OF_LINE static bool is_before(const gjk_scene_view *v, uint32_t i, uint3
       return a.part < b.part;
     }
   }
-  return false;
+  return false;  // not reached: two pairs differ
 }
 
 // Does the report at place i of the queue come before that at place j? What the entries have of slots decides most.

@@ -174,7 +174,7 @@ static void turn_parts(const gjk_scene_view *v, const gjk_scene_mover m[2], cons
   }
   const uint64_t left = off[0] + off[1] == 0 ? 0 : ((off[0] + off[1]) >> 2 * cuts) + 2;
   if (left > GJK_RADIUS_MAX) {
-    found->hit = found->unproven = true;
+    found->hit = found->unproven = true;  // not reached: a sagitta is below 5 2^32, and is cut by 2^12
     return;
   }
   gjk_pose at[2];

@@ -23,7 +23,7 @@ static gjk_fine_point within_bound(const gjk_shape *shape, const gjk_vec3 *at) {
   const bool within = squared <= (uint64_t)gjk_mul32(bound.x, bound.x);
   GJK_ASSERT(within);
   if (!within) {
-    const gjk_long3 far = {at->x, at->y, at->z};
+    const gjk_long3 far = {at->x, at->y, at->z};  // not reached: where the assertion above ends the program
     return gjk_fine_stretch(&bound, &far);
   }
   const gjk_fine_point point = {at->x * (1 << GJK_FINE_BITS), at->y * (1 << GJK_FINE_BITS),
