@@ -31,7 +31,7 @@ fault() {
     return
   }
   follow "$copy/tests/prove/checker/inside.txt" "$4" "$5"
-  (cd "$copy" && sh tests/build/prove-checker.sh build "$3") >"$copy/out" 2>&1
+  (cd "$copy" && TRIES=20 sh tests/build/prove-checker.sh build "$3") >"$copy/out" 2>&1
   check "$1: noticed" grep -qE "$6" "$copy/out"
   grep -m 2 -E "$6" "$copy/out" | sed "s/^/  $1: /"
 }

@@ -50,12 +50,17 @@ EOC
   why3 config list-provers | grep -q 'Z3.*(ground)' && why3 config list-provers | grep -q '^CVC4'
 }
 
-# wp NAME MACHINE DEFINES FILE OPTION...: the goals of one run, in $dir/NAME.txt.
+# wp NAME MACHINE DEFINES FILE OPTION...: the goals of one run, in $dir/NAME.txt. What is open is tried once more, with more
+# time. TRIES: the seconds of each try.
 wp() {
   name=$1 machine=$2 defines=$3 file=$4
   shift 4
-  (cd "$dir" && nice -n 5 frama-c -wp -wp-rte -rte-no-pointer-call -wp-prover ground,cvc4,z3 -wp-timeout 20 -wp-par 2 -machdep "$machine" \
-    -cpp-extra-args="-Iinclude -I. -DGJK_VECTORS=0 $defines" "$@" $spec/"$file") >"$dir/$name.txt" 2>&1
+  for seconds in ${TRIES:-20 80}; do
+    (cd "$dir" && nice -n 5 frama-c -wp -wp-rte -rte-no-pointer-call -wp-prover ground,cvc4,z3 -wp-timeout "$seconds" -wp-par 2 \
+      -wp-cache update -wp-cache-dir "$cache" -machdep "$machine" -cpp-extra-args="-Iinclude -I. -DGJK_VECTORS=0 $defines" "$@" \
+      $spec/"$file") >"$dir/$name.txt" 2>&1
+    grep -E '^\[wp\] \[.*\] Goal' "$dir/$name.txt" | grep -qv ' : Valid' || break
+  done
   sed -n 's/^\[wp\] \[\(.*\)\] Goal typed_\([^ ]*\) : Valid.*/\2: \1/p' "$dir/$name.txt" | grep -v ': Qed$' | sed "s/^/$name: /"
   grep -E '^\[wp\] \[.*\] Goal' "$dir/$name.txt" | grep -v ' : Valid' | sed "s/^/failed: $name: /"
   grep -qE '^\[wp\] Proved goals: *([0-9]+) / \1$' "$dir/$name.txt"
@@ -113,7 +118,9 @@ for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
   fi
 done
 rm -rf "$dir"
-mkdir -p "$dir"
+# What is proven, by the text of each problem and its prover, so that another run tries only what has changed.
+cache=$PWD/$build/proven/$(cat tests/build/prove-ground.py tests/build/prove-checker.sh $spec/operators.h | cksum | tr ' ' -)
+mkdir -p "$dir" "$cache"
 check 'the annotations stand in the sources, which are as they were' annotate
 check 'no annotation shifts as C does' shifts
 check 'the provers are known' provers
