@@ -831,6 +831,34 @@ static void test_late_claim(void) {
   CHECK(gjk2_check_cast(&a, &b, &path, &claim) == GJK_ERROR_UNPROVEN);
 }
 
+// Boxes 800 LSB apart, and claims about them at the ends of what holds: a miss that touches where it ends or starts is none,
+// directions are longer than allowed or not, and a start within one margin is not within another.
+static void test_claims_at_ends(void) {
+  static const gjk2_shape box = GJK2_BOX(100, 100);
+  static const int32_t aside[3] = {65536, 80000, 131072};
+  const gjk2_collider a = placed2(&box, 0, 0), b = placed2(&box, 1000, 0);
+  const gjk2_collider beside = placed2(&box, 200, 0), next = placed2(&box, 201, 0);
+  const gjk2_vec touch = {200, 0}, short_of = {201, 0}, far = {INT32_MIN + 300, 0};
+  const gjk2_cast_path touching = {NULL, &touch, 0}, missing = {NULL, &short_of, 0}, away = {NULL, &b.position, 0};
+  const gjk2_cast_path near = {NULL, &touch, 900}, nearest = {NULL, &touch, INT32_MAX}, long_way = {NULL, &far, 0};
+  gjk2_cast_result out, claim;
+  CHECK(gjk2_cast(&a, &b, &missing, &claim) == GJK_OK && !claim.hit);
+  claim.certificate.proof = GJK2_CAST_PROOF_SHORT;
+  claim.certificate.direction = (gjk2_vec){1, 0};
+  CHECK(gjk2_check_cast(&a, &b, &missing, &claim) == GJK_OK);
+  CHECK(gjk2_check_cast(&a, &b, &touching, &claim) == GJK_ERROR_UNPROVEN);
+  CHECK(gjk2_check_cast(&a, &beside, &away, &claim) == GJK_ERROR_UNPROVEN);
+  for (int i = 0; i < 3; i++) {
+    claim.certificate.direction = (gjk2_vec){INT32_C(1) << 30, aside[i]};
+    CHECK(gjk2_check_cast(&a, &b, &missing, &claim) == (i < 2 ? GJK_OK : GJK_ERROR_UNPROVEN));
+  }
+  CHECK(gjk2_cast(&a, &b, &near, &out) == GJK_OK && out.inside && gjk2_check_cast(&a, &b, &near, &out) == GJK_OK);
+  CHECK(gjk2_check_cast(&a, &b, &touching, &out) == GJK_ERROR_UNPROVEN);
+  CHECK(gjk2_cast(&a, &b, &nearest, &out) == GJK_OK && gjk2_check_cast(&a, &b, &nearest, &out) == GJK_OK);
+  CHECK(gjk2_cast(&a, &next, &long_way, &out) == GJK_OK && out.hit && !out.inside && out.fraction == 0);
+  CHECK(gjk2_check_cast(&a, &next, &long_way, &out) == GJK_OK);
+}
+
 // A circle ends less than 2^-24 LSB short of a segment's end, and as little aside of its foot: a direction that is rounded to
 // 2^-30 does not part them from the other end.
 static void test_exact_direction(void) {
@@ -958,6 +986,7 @@ int main(void) {
   test_diagonal();
   test_long_pass(&r);
   test_late_claim();
+  test_claims_at_ends();
   test_exact_direction();
   test_open_margins();
   test_stained();
