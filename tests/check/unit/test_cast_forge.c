@@ -309,7 +309,33 @@ static void check(random_state *random, trial *t) {
   forge_fewer(random, t, radius > 0);
 }
 
+#if SPACE
+// Boxes 800 LSB apart, and claims of a miss at the ends of what holds: one that touches where it ends or starts is none, and
+// directions are at most 2^30 long.
+static void check_ends(void) {
+  static const gjk_shape box = GJK_BOX(100, 100, 100);
+  const gjk_collider a = placed_at(&box, 0, 0, 0), b = placed_at(&box, 1000, 0, 0), beside = placed_at(&box, 200, 0, 0);
+  const gjk_vec3 touch = {200, 0, 0}, short_of = {201, 0, 0}, from = {1000, 0, 0};
+  const gjk_cast_path touching = {NULL, &touch, 0}, missing = {NULL, &short_of, 0}, away = {NULL, &from, 0};
+  gjk_cast_result claim;
+  CHECK(gjk_cast(&a, &b, &missing, &claim) == GJK_OK && !claim.hit);
+  claim.certificate.proof = GJK_CAST_PROOF_SHORT;
+  claim.certificate.count = 0;
+  claim.certificate.direction = (gjk_vec3){1, 0, 0};
+  CHECK(gjk_check_cast(&a, &b, &missing, &claim) == GJK_OK);
+  CHECK(gjk_check_cast(&a, &b, &touching, &claim) == GJK_ERROR_UNPROVEN);
+  CHECK(gjk_check_cast(&a, &beside, &away, &claim) == GJK_ERROR_UNPROVEN);
+  for (int32_t aside = 0; aside <= 1 << 20; aside += 1 << 20) {
+    claim.certificate.direction = (gjk_vec3){INT32_C(1) << 30, aside, 0};
+    CHECK(gjk_check_cast(&a, &b, &missing, &claim) == (aside == 0 ? GJK_OK : GJK_ERROR_UNPROVEN));
+  }
+}
+#endif
+
 int main(void) {
+#if SPACE
+  check_ends();
+#endif
   random_state random = random_seed(check_seed(SEED));
   const unsigned long trials = TRIALS;
   static trial t;

@@ -840,7 +840,8 @@ static void test_claims_at_ends(void) {
   const gjk2_collider beside = placed2(&box, 200, 0), next = placed2(&box, 201, 0);
   const gjk2_vec touch = {200, 0}, short_of = {201, 0}, far = {INT32_MIN + 300, 0};
   const gjk2_cast_path touching = {NULL, &touch, 0}, missing = {NULL, &short_of, 0}, away = {NULL, &b.position, 0};
-  const gjk2_cast_path near = {NULL, &touch, 900}, nearest = {NULL, &touch, INT32_MAX}, long_way = {NULL, &far, 0};
+  const gjk2_cast_path within = {NULL, &short_of, 1}, near = {NULL, &touch, 900}, nearest = {NULL, &touch, INT32_MAX},
+                       long_way = {NULL, &far, 0};
   gjk2_cast_result out, claim;
   CHECK(gjk2_cast(&a, &b, &missing, &claim) == GJK_OK && !claim.hit);
   claim.certificate.proof = GJK2_CAST_PROOF_SHORT;
@@ -848,6 +849,7 @@ static void test_claims_at_ends(void) {
   CHECK(gjk2_check_cast(&a, &b, &missing, &claim) == GJK_OK);
   CHECK(gjk2_check_cast(&a, &b, &touching, &claim) == GJK_ERROR_UNPROVEN);
   CHECK(gjk2_check_cast(&a, &beside, &away, &claim) == GJK_ERROR_UNPROVEN);
+  CHECK(gjk2_check_cast(&a, &b, &within, &claim) == GJK_ERROR_UNPROVEN);
   for (int i = 0; i < 3; i++) {
     claim.certificate.direction = (gjk2_vec){INT32_C(1) << 30, aside[i]};
     CHECK(gjk2_check_cast(&a, &b, &missing, &claim) == (i < 2 ? GJK_OK : GJK_ERROR_UNPROVEN));
