@@ -245,19 +245,15 @@ static void check_corridor(gjk_q16 beside) {
 }
 
 #if SPACE
-// Down into the valley of two steep slopes, and on along it, beside both. Their normals are (-0.8276, 0.3793, 0.4138) and
-// (0.9150, 0.3072, -0.2614); the line of both leads along (0.226, -0.162, 0.601).
-static void check_valley(void) {
-  static const gjk_quat turn[2] = {{30, 0, 60, 100}, {-20, 0, -70, 100}};
-  static const gjk_vec3 middle[2] = {{GJK_Q16(0.8276), -GJK_Q16(0.3793), -GJK_Q16(0.4138)},
-                                     {-GJK_Q16(0.915), -GJK_Q16(0.3072), GJK_Q16(0.2614)}};
-  const gjk_vec3 start = {0, 2 * ONE, 0}, to = {0, -6 * ONE, 0};
+// Down between turned crates, all of which it is beside at the end.
+static gjk_slide_result walk_down(const gjk_quat *turn, const gjk_vec3 *middle, unsigned crates, gjk_vec3 start,
+                                  gjk_vec3 to) {
   gjk_slide_setup setup = usual();
   gjk_collider c;
   uint32_t count = 0;
   setup.step = setup.reach = 0;
   start_scene();
-  for (unsigned i = 0; i < 2; i++) {
+  for (unsigned i = 0; i < crates; i++) {
     gjk_pose pose = GJK_POSE_IDENTITY;
     pose.position = middle[i];
     CHECK(gjk_quat_normalize(&turn[i], &pose.rotation) == GJK_OK);
@@ -265,9 +261,20 @@ static void check_valley(void) {
   }
   set_walker(&c, &robot, start);
   const gjk_slide_result r = walk(&c, to, &setup);
-  CHECK(r.count == 2 && r.position.z > ONE);
   CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
-  CHECK(gjk_scene_query_within(&scene, &c, SKIN + 16, NULL, NULL, NULL, 0, &count) == GJK_OK && count == 2);
+  CHECK(gjk_scene_query_within(&scene, &c, SKIN + 16, NULL, NULL, NULL, 0, &count) == GJK_OK && count == crates);
+  return r;
+}
+
+// Down into the valley of two steep slopes, and on along it, beside both. Their normals are (-0.8276, 0.3793, 0.4138) and
+// (0.9150, 0.3072, -0.2614); the line of both leads along (0.226, -0.162, 0.601).
+static void check_valley(void) {
+  static const gjk_quat turn[2] = {{30, 0, 60, 100}, {-20, 0, -70, 100}};
+  static const gjk_vec3 middle[2] = {{GJK_Q16(0.8276), -GJK_Q16(0.3793), -GJK_Q16(0.4138)},
+                                     {-GJK_Q16(0.915), -GJK_Q16(0.3072), GJK_Q16(0.2614)}};
+  const gjk_vec3 start = {0, 2 * ONE, 0}, to = {0, -6 * ONE, 0};
+  const gjk_slide_result r = walk_down(turn, middle, 2, start, to);
+  CHECK(r.count == 2 && r.position.z > ONE);
 }
 
 // Down into a pit of three slopes, where no line of two of them leads on.
@@ -277,22 +284,8 @@ static void check_pit(void) {
                                      {GJK_Q16(0.433), -GJK_Q16(0.5), -GJK_Q16(0.75)},
                                      {GJK_Q16(0.433), -GJK_Q16(0.5), GJK_Q16(0.75)}};
   const gjk_vec3 start = {ONE / 8, 6 * ONE, ONE / 16}, to = {ONE / 8, -6 * ONE, ONE / 16};
-  gjk_slide_setup setup = usual();
-  gjk_collider c;
-  uint32_t count = 0;
-  setup.step = setup.reach = 0;
-  start_scene();
-  for (unsigned i = 0; i < 3; i++) {
-    gjk_pose pose = GJK_POSE_IDENTITY;
-    pose.position = middle[i];
-    CHECK(gjk_quat_normalize(&turn[i], &pose.rotation) == GJK_OK);
-    scene_add_shape(&scene, 0, GJK_BODY_STATIC, &pose);
-  }
-  set_walker(&c, &robot, start);
-  const gjk_slide_result r = walk(&c, to, &setup);
+  const gjk_slide_result r = walk_down(turn, middle, 3, start, to);
   CHECK(r.count == 3 && r.left.x == 0 && r.left.y == 0 && r.left.z == 0);
-  CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
-  CHECK(gjk_scene_query_within(&scene, &c, SKIN + 16, NULL, NULL, NULL, 0, &count) == GJK_OK && count == 3);
 }
 #endif
 
