@@ -20,6 +20,10 @@
       0 <= norm3(x, y, z) * norm3(u, v, w) - square(dot3(x, y, z, u, v, w));
     predicate gram_most(integer x, integer y, integer z, integer u, integer v, integer w) =
       norm3(x, y, z) * norm3(u, v, w) - square(dot3(x, y, z, u, v, w)) <= 0x2400000000000000 * 0x2400000000000000;
+    predicate top_positive(integer count, integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t,
+        integer q) = 0 <= top_of(count, x, y, z, u, v, w, s, t, q);
+    lemma top_positive: \forall integer count, x, y, z, u, v, w, s, t, q;
+      count == 2 && gram_least(x, y, z, u, v, w) ==> top_positive(count, x, y, z, u, v, w, s, t, q);
     predicate square_either(integer t, integer u) = t == u || t == -u ==> t * t == square(u);
     lemma square_either: \forall integer t, u; square_either(t, u);
     lemma not_negative_square: \forall integer x; not_negative_square(x);

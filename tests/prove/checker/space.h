@@ -818,6 +818,11 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
         integer s, integer t, integer q) = count == 1 ? 1 :
       count == 2 ? toward3(x, y, z, u, v, w) + toward3(u, v, w, x, y, z) :
       norm3(area3(y, z, v, w, t, q), area3(z, x, w, u, q, s), area3(x, y, u, v, s, t)); */
+/*@ predicate top_of_two(integer count, integer x, integer y, integer z, integer u, integer v, integer w, integer s, integer t,
+        integer q) = top_of(count, x, y, z, u, v, w, s, t, q) ==
+      norm3(x, y, z) * norm3(u, v, w) - dot3(x, y, z, u, v, w) * dot3(x, y, z, u, v, w);
+    lemma top_of_two: \forall integer count, x, y, z, u, v, w, s, t, q;
+      count == 2 ==> top_of_two(count, x, y, z, u, v, w, s, t, q); */
 #define TOP_OF(s) top_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
 #define BOTTOM_OF(s) bottom_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
 
