@@ -1,5 +1,5 @@
-(* From vertices to all points, in space: what the contract of space.h says of the vertices of two polytopes decides about
-   every point of the two shapes. The definitions over Z are those of geometry.h, solid.h and space.h, name by name;
+(* From vertices to all points, in space: what the contracts of space.h and space_cast.h say of the vertices of two polytopes
+   decides about every point of the two shapes. The definitions over Z are those of these headers, geometry.h and solid.h;
    at_most_root is hull.v's. *)
 Require Import Reals Lra Psatz ZArith.
 Require hull.
@@ -30,6 +30,145 @@ Lemma shares_mean : p1 * x + p2 * u + p3 * s = volume * nx /\ p1 * y + p2 * v + 
   p1 * z + p2 * w + p3 * q = volume * nz.
 Proof. unfold p1, p2, p3, nx, ny, nz, volume, share, area, toward, dot. repeat split; ring. Qed.
 End Triangle.
+
+Ltac reals H := repeat rewrite ?mult_IZR, ?plus_IZR, ?minus_IZR, ?opp_IZR in H.
+
+(* Lengths of vectors, and how far a line moves away from a point when both are rounded. *)
+Section Vectors.
+
+Open Scope R_scope.
+
+Definition len (x y z : R) := sqrt (x * x + y * y + z * z).
+
+Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
+Proof. intros B H. apply Rnot_le_lt. intros C. pose proof (Rmult_le_compat b a b a B B C C). lra. Qed.
+
+Lemma square_most a b : 0 <= b -> a * a <= b * b -> a <= b.
+Proof. intros B H. apply Rnot_lt_le. intros C. pose proof (Rmult_le_0_lt_compat b a b a B B C C). lra. Qed.
+
+Lemma squares x y z : 0 <= x * x + y * y + z * z.
+Proof. pose proof (Rle_0_sqr x). pose proof (Rle_0_sqr y). pose proof (Rle_0_sqr z). unfold Rsqr in *. lra. Qed.
+
+Lemma len_pos x y z : 0 <= len x y z.
+Proof. apply sqrt_pos. Qed.
+
+Lemma len_square x y z : len x y z * len x y z = x * x + y * y + z * z.
+Proof. apply sqrt_sqrt, squares. Qed.
+
+Lemma len_most x y z r : 0 <= r -> x * x + y * y + z * z <= r * r -> len x y z <= r.
+Proof. intros R H. apply square_most; [exact R |]. rewrite len_square. exact H. Qed.
+
+Lemma len_equal x y z r : 0 <= r -> x * x + y * y + z * z = r * r -> len x y z = r.
+Proof. intros R H. unfold len. rewrite H. apply sqrt_square, R. Qed.
+
+Lemma product_square a b : a * b * (a * b) = a * a * (b * b).
+Proof. ring. Qed.
+
+Lemma len_dot x y z u v w : x * u + y * v + z * w <= len x y z * len u v w.
+Proof.
+  apply square_most; [apply Rmult_le_pos; apply len_pos |]. rewrite product_square, !len_square.
+  pose proof (squares (x * v - y * u) (y * w - z * v) (z * u - x * w)). lra.
+Qed.
+
+Lemma len_cross x y z u v w : len (y * w - z * v) (z * u - x * w) (x * v - y * u) <= len x y z * len u v w.
+Proof.
+  apply len_most; [apply Rmult_le_pos; apply len_pos |]. rewrite product_square, !len_square.
+  pose proof (Rle_0_sqr (x * u + y * v + z * w)). unfold Rsqr in *. lra.
+Qed.
+
+Lemma len_sum x y z u v w : len (x + u) (y + v) (z + w) <= len x y z + len u v w.
+Proof.
+  pose proof (len_pos x y z). pose proof (len_pos u v w). pose proof (len_dot x y z u v w).
+  pose proof (len_square x y z). pose proof (len_square u v w). apply len_most; lra.
+Qed.
+
+Lemma len_scale k x y z : len (k * x) (k * y) (k * z) = Rabs k * len x y z.
+Proof.
+  apply len_equal; [apply Rmult_le_pos; [apply Rabs_pos | apply len_pos] |]. rewrite (product_square (Rabs k)), len_square.
+  pose proof (Rsqr_abs k). unfold Rsqr in *. rewrite <- H. ring.
+Qed.
+
+Lemma len_coordinates x y z : Rabs x <= len x y z /\ Rabs y <= len x y z /\ Rabs z <= len x y z.
+Proof.
+  assert (M : forall c, c * c <= x * x + y * y + z * z -> Rabs c <= len x y z).
+  { intros c H. apply square_most; [apply len_pos |]. rewrite len_square. pose proof (Rsqr_abs c). unfold Rsqr in *. lra. }
+  pose proof (Rle_0_sqr x). pose proof (Rle_0_sqr y). pose proof (Rle_0_sqr z). unfold Rsqr in *.
+  repeat split; apply M; lra.
+Qed.
+
+(* Each coordinate at most c: the root of 3 is below 7 / 4. *)
+Lemma len_box x y z c : - c <= x <= c -> - c <= y <= c -> - c <= z <= c -> len x y z <= 7 / 4 * c.
+Proof.
+  intros X Y Z. assert (S : forall a, - c <= a <= c -> a * a <= c * c).
+  { intros a A. assert (0 <= (c - a) * (c + a)) by (apply Rmult_le_pos; lra). lra. }
+  pose proof (S x X). pose proof (S y Y). pose proof (S z Z). apply len_most; [lra |].
+  replace (7 / 4 * c * (7 / 4 * c)) with (3 * (c * c) + / 16 * (c * c)) by field. pose proof (Rle_0_sqr c). unfold Rsqr in *. lra.
+Qed.
+
+(* The point (G u, G v, G w) of a line that is nearest to (x, y, z). *)
+Lemma foot_line x y z u v w : 0 < len u v w -> exists G, Rabs G * len u v w <= len x y z /\
+  len u v w * len (x - G * u) (y - G * v) (z - G * w) = len (v * z - w * y) (w * x - u * z) (u * y - v * x).
+Proof.
+  intros L. pose proof (len_square u v w) as N. set (l := len u v w) in *. set (m := x * u + y * v + z * w).
+  assert (L2 : 0 < l * l) by (apply Rmult_lt_0_compat; exact L).
+  exists (m / (l * l)). set (G := m / (l * l)). assert (K : G * (l * l) = m) by (unfold G; field; lra). split.
+  - apply square_most; [apply len_pos |]. rewrite product_square, len_square. apply Rmult_le_reg_r with (l * l); [exact L2 |].
+    pose proof (Rsqr_abs G) as A. unfold Rsqr in A. rewrite <- A.
+    replace (G * G * (l * l) * (l * l)) with (G * (l * l) * (G * (l * l))) by ring. rewrite K, N. unfold m.
+    pose proof (squares (x * v - y * u) (y * w - z * v) (z * u - x * w)). lra.
+  - symmetry. apply len_equal; [apply Rmult_le_pos; [lra | apply len_pos] |]. rewrite (product_square l), len_square.
+    transitivity (l * l * (x * x + y * y + z * z) - m * m); [rewrite N; unfold m; ring |].
+    transitivity (l * l * (x * x + y * y + z * z) - 2 * (G * (l * l)) * m + G * (l * l) * (G * (u * u + v * v + w * w)));
+      [rewrite <- N, K; replace (G * (l * l)) with m by (symmetry; exact K); ring | unfold m; ring].
+Qed.
+
+(* What is across a line does not change along it. *)
+Lemma cross_along x y z u v w G :
+  len (v * z - w * y) (w * x - u * z) (u * y - v * x) <= len u v w * len (x - G * u) (y - G * v) (z - G * w).
+Proof.
+  replace (v * z - w * y) with (v * (z - G * w) - w * (y - G * v)) by ring.
+  replace (w * x - u * z) with (w * (x - G * u) - u * (z - G * w)) by ring.
+  replace (u * y - v * x) with (u * (y - G * v) - v * (x - G * u)) by ring. apply len_cross.
+Qed.
+
+(* A line along (u, v, w) at most k from (x, y, z): rounded, they are (e, f, g) and (a, b, c), and at most k + 9 apart. *)
+Lemma line_moved x y z u v w a b c e f g k : len (a - x) (b - y) (c - z) <= 7 / 4 -> len (e - u) (f - v) (g - w) <= 7 / 4 ->
+  len x y z <= 7 / 4 * (2 ^ 29 + 1) -> 2 ^ 28 - 3 <= len u v w ->
+  len (v * z - w * y) (w * x - u * z) (u * y - v * x) <= len u v w * k ->
+  len (f * c - g * b) (g * a - e * c) (e * b - f * a) <= len e f g * (k + 9).
+Proof.
+  intros O T X U K. destruct (foot_line x y z u v w) as (G & GU & E); [lra |]. rewrite <- E in K.
+  apply Rmult_le_reg_l in K; [| lra]. pose proof (Rabs_pos G) as G0.
+  assert (GG : Rabs G <= 4) by (apply Rnot_lt_le; intros B;
+    pose proof (Rmult_le_compat 4 (Rabs G) (2 ^ 28 - 3) (len u v w)); lra).
+  assert (D : len (a - G * e) (b - G * f) (c - G * g) <= k + 9).
+  { pose proof (len_sum (x - G * u + (a - x)) (y - G * v + (b - y)) (z - G * w + (c - z))
+      (- G * (e - u)) (- G * (f - v)) (- G * (g - w))) as A.
+    pose proof (len_sum (x - G * u) (y - G * v) (z - G * w) (a - x) (b - y) (c - z)) as B.
+    rewrite len_scale, Rabs_Ropp in A.
+    replace (x - G * u + (a - x) + - G * (e - u)) with (a - G * e) in A by ring.
+    replace (y - G * v + (b - y) + - G * (f - v)) with (b - G * f) in A by ring.
+    replace (z - G * w + (c - z) + - G * (g - w)) with (c - G * g) in A by ring.
+    pose proof (Rmult_le_compat_l _ _ _ G0 T). lra. }
+  pose proof (cross_along a b c e f g G). pose proof (Rmult_le_compat_l _ _ _ (len_pos e f g) D). lra.
+Qed.
+(* A vector is at most as long as its rounded one, and 7 / 4. *)
+Lemma len_near x y z a b c : len (a - x) (b - y) (c - z) <= 7 / 4 -> len a b c <= len x y z + 7 / 4.
+Proof.
+  intros H. pose proof (len_sum x y z (a - x) (b - y) (c - z)) as S. replace (x + (a - x)) with a in S by ring.
+  replace (y + (b - y)) with b in S by ring. replace (z + (c - z)) with c in S by ring. lra.
+Qed.
+
+(* The square of what is across is over that of scaled vectors. *)
+Lemma across_scaled j k x y z u v w : 0 < j -> 0 < k ->
+  len (k * v * (j * z) - k * w * (j * y)) (k * w * (j * x) - k * u * (j * z)) (k * u * (j * y) - k * v * (j * x)) =
+  j * k * len (v * z - w * y) (w * x - u * z) (u * y - v * x).
+Proof.
+  intros J K. rewrite <- (Rabs_pos_eq (j * k)) by (apply Rlt_le, Rmult_lt_0_compat; assumption). rewrite <- len_scale.
+  f_equal; ring.
+Qed.
+
+End Vectors.
 
 Section Vertices.
 
@@ -121,6 +260,19 @@ Definition measured3 (r distance : Z) := exists f n m dx dy dz wx wy wz, 1 <= f 
 Definition enough3 (r depth : Z) := exists f dx dy dz wx wy wz, 1 <= f /\ 0 < norm3 dx dy dz /\ support3 f dx dy dz wx wy wz /\
   hull.at_most_root (dot3 dx dy dz wx wy wz) ((depth - r) * f) (norm3 dx dy dz).
 
+(* Casts: B moves by (tx, ty, tz), A stands. Spheres pass off an axis or off the line of the way, the vectors from their
+   leading bits: w is q v / p, rounded down. *)
+Definition stays_off (x tx r : Z) := (x > r /\ x - tx > r) \/ (x < - r /\ x - tx < - r).
+Definition leads (v p q w : Z) := p * w <= q * v < p * (w + 1).
+Definition led3 (x y z p q a b c : Z) := 1 <= p /\ 1 <= q /\ leads x p q a /\ leads y p q b /\ leads z p q c.
+Definition within29 (a b c : Z) := - 2 ^ 29 <= a <= 2 ^ 29 /\ - 2 ^ 29 <= b <= 2 ^ 29 /\ - 2 ^ 29 <= c <= 2 ^ 29.
+Definition across_norm (u v w a b c : Z) := norm3 (cross v w b c) (cross w u c a) (cross u v a b).
+Definition off_line (x y z tx ty tz r : Z) := exists p q g h a b c u v w s, led3 x y z p q a b c /\ within29 a b c /\
+  led3 tx ty tz g h u v w /\ (2 ^ 28 - 1) * (2 ^ 28 - 1) <= norm3 u v w /\ leads r p q s /\ 0 <= s /\
+  (s + 12) * (s + 12) * norm3 u v w < across_norm u v w a b c.
+Definition spheres_pass3 (tx ty tz r : Z) :=
+  stays_off x tx r \/ stays_off y ty r \/ stays_off z tz r \/ off_line x y z tx ty tz r.
+
 Open Scope R_scope.
 
 (* The sum of f 0 to f (n - 1). A point of a hull is a mean of vertices with weights. *)
@@ -137,8 +289,8 @@ Lemma sum_combine n a b c f g h :
   sum n (fun i => a * f i + b * g i + c * h i) = a * sum n f + b * sum n g + c * sum n h.
 Proof. induction n; simpl; [lra | rewrite IHn; lra]. Qed.
 
-Lemma sum_ext n f g : (forall i, f i = g i) -> sum n f = sum n g.
-Proof. intros H. induction n; simpl; [lra | rewrite IHn, H; lra]. Qed.
+Lemma sum_ext n f g : (forall i, (i < n)%nat -> f i = g i) -> sum n f = sum n g.
+Proof. induction n; simpl; intros H; [lra | rewrite IHn, H; auto with arith]. Qed.
 
 Lemma mean_below n w f c : (forall i, (i < n)%nat -> 0 <= w i) -> (forall i, (i < n)%nat -> f i < c) ->
   0 <= sum n w /\ sum n (fun i => w i * f i) <= c * sum n w /\ (0 < sum n w -> sum n (fun i => w i * f i) < c * sum n w).
@@ -173,6 +325,67 @@ Proof.
     pose proof (Rle_0_sqr (dz * u - dx * w)). unfold Rsqr in *. lra. }
   rewrite D in B. assert (C : (l * l) * (u * u + v * v + w * w) <= (l * l) * (r * r))
     by (apply Rmult_le_compat_l; [apply Rle_0_sqr | exact E]). lra.
+Qed.
+
+Lemma norm_len u v w : IZR (norm3 u v w) = len (IZR u) (IZR v) (IZR w) * len (IZR u) (IZR v) (IZR w).
+Proof. rewrite len_square. unfold norm3. rewrite !plus_IZR, !mult_IZR. reflexivity. Qed.
+
+Lemma across_len u v w a b c : let l := len (IZR v * IZR c - IZR w * IZR b) (IZR w * IZR a - IZR u * IZR c)
+  (IZR u * IZR b - IZR v * IZR a) in IZR (across_norm u v w a b c) = l * l.
+Proof. unfold across_norm. rewrite norm_len. unfold cross. rewrite !minus_IZR, !mult_IZR. reflexivity. Qed.
+
+Lemma leads_real v p q w : (1 <= p)%Z -> leads v p q w -> IZR w <= IZR q / IZR p * IZR v < IZR w + 1.
+Proof.
+  intros P (A & B). apply IZR_le in P, A. apply IZR_lt in B. reals A. reals B.
+  assert (E : IZR q / IZR p * IZR v * IZR p = IZR q * IZR v) by (field; lra).
+  split; [apply Rmult_le_reg_r with (IZR p) | apply Rmult_lt_reg_r with (IZR p)]; lra.
+Qed.
+
+Lemma led_real l m n p q a b c : led3 l m n p q a b c -> exists k, k = IZR q / IZR p /\ 0 < k /\
+  len (k * IZR l - IZR a) (k * IZR m - IZR b) (k * IZR n - IZR c) <= 7 / 4 /\
+  len (IZR a - k * IZR l) (IZR b - k * IZR m) (IZR c - k * IZR n) <= 7 / 4.
+Proof.
+  intros (P & Q & X & Y & Z). apply (leads_real _ _ _ _ P) in X, Y, Z. apply IZR_le in P, Q.
+  exists (IZR q / IZR p). split; [reflexivity |]. split; [apply Rdiv_lt_0_compat; lra |].
+  split; (eapply Rle_trans; [apply (len_box _ _ _ 1); lra | lra]).
+Qed.
+
+Lemma within_len a b c : within29 a b c -> len (IZR a) (IZR b) (IZR c) <= 7 / 4 * 2 ^ 29.
+Proof.
+  intros ((A & A') & (B & B') & (C & C')). apply IZR_le in A, A', B, B', C, C'.
+  assert (E : 2 ^ 29 = IZR (2 ^ 29)) by (rewrite pow_IZR; reflexivity).
+  assert (E' : - 2 ^ 29 = IZR (- 2 ^ 29)) by (rewrite opp_IZR, <- E; reflexivity).
+  apply len_box; rewrite E', E; split; assumption.
+Qed.
+
+Lemma long_len u v w : ((2 ^ 28 - 1) * (2 ^ 28 - 1) <= norm3 u v w)%Z -> 2 ^ 28 - 1 <= len (IZR u) (IZR v) (IZR w).
+Proof.
+  intros H. apply IZR_le in H. rewrite norm_len, mult_IZR in H. replace (IZR (2 ^ 28 - 1)) with (2 ^ 28 - 1) in H.
+  - apply square_most; [apply len_pos | exact H].
+  - rewrite minus_IZR, pow_IZR. reflexivity.
+Qed.
+
+(* Off the line: no fraction of the way brings the centres r together. *)
+Lemma off_line_far tx ty tz r f : (0 <= r)%Z -> off_line x y z tx ty tz r ->
+  IZR r < len (IZR x - f * IZR tx) (IZR y - f * IZR ty) (IZR z - f * IZR tz).
+Proof.
+  intros R (p & q & g & h & a & b & c & u & v & w & s & O & WO & T & WT & S & S0 & H). apply Rnot_le_lt. intros N.
+  pose proof (leads_real _ _ _ _ (proj1 O) S) as (_ & S1). destruct (led_real _ _ _ _ _ _ _ _ O) as (j & E & J & O1 & O2).
+  rewrite <- E in S1. clear E.
+  destruct (led_real _ _ _ _ _ _ _ _ T) as (k & _ & K & T1 & T2). apply within_len in WO. apply long_len in WT.
+  pose proof (len_near _ _ _ _ _ _ O1) as X. pose proof (len_near _ _ _ _ _ _ T2) as U.
+  apply IZR_le in R, S0. apply IZR_lt in H. reals H. rewrite norm_len, across_len in H.
+  assert (L : len (IZR u) (IZR v) (IZR w) * (j * IZR r + 9) < len (IZR u) (IZR v) (IZR w) * (IZR s + 12))
+    by (apply Rmult_lt_compat_l; lra).
+  assert (M := line_moved _ _ _ _ _ _ _ _ _ _ _ _ (j * IZR r) O2 T2 ltac:(lra) ltac:(lra)).
+  rewrite across_scaled in M by assumption.
+  pose proof (cross_along (IZR x) (IZR y) (IZR z) (IZR tx) (IZR ty) (IZR tz) f) as C.
+  pose proof (Rmult_le_compat_l _ _ _ (len_pos (IZR tx) (IZR ty) (IZR tz)) N) as C2.
+  rewrite len_scale, (Rabs_pos_eq k) in M by lra. assert (JK : 0 <= j * k) by (apply Rmult_le_pos; lra).
+  pose proof (Rmult_le_compat_l _ _ _ JK (Rle_trans _ _ _ C C2)) as C3. specialize (M ltac:(lra)).
+  apply (Rlt_irrefl ((IZR s + 12) * len (IZR u) (IZR v) (IZR w) * ((IZR s + 12) * len (IZR u) (IZR v) (IZR w)))).
+  rewrite (product_square (IZR s + 12)) at 1. eapply Rlt_le_trans; [exact H |].
+  apply Rmult_le_compat; try apply len_pos; lra.
 Qed.
 
 Variables (ra rb d : Z) (cx cy cz : Z).  (* both convex radii, the distance asked about, and the centre of B *)
@@ -259,6 +472,30 @@ Proof.
   fold m. lra.
 Qed.
 
+(* B moved by (px, py, pz): the spheres are apart. *)
+Lemma centres_apart3 ca cb px py pz : (0 <= ca /\ 0 <= cb)%Z ->
+  (forall i, (i < na)%nat -> norm3 (ax i) (ay i) (az i) <= ca * ca)%Z ->
+  (forall j, (j < nb)%nat -> norm3 (bx j) (bl j) (bz j) <= cb * cb)%Z ->
+  IZR (ca + cb + (ra + rb + d)) < len (IZR x - px) (IZR y - py) (IZR z - pz) ->
+  forall u v w s t q, in_a u v w -> in_b s t q -> square_apart u v w (s + px) (t + py) (q + pz) > IZR d * IZR d.
+Proof.
+  intros (CA & CB) HA HB M u v w s t q (p & p' & p'' & P & E) (o & o' & o'' & O & E').
+  destruct radii as (RA & RB & D). unfold norm3 in *. apply IZR_le in CA, CB, RA, RB, D. reals M.
+  set (X := IZR x - px) in *. set (Y := IZR y - py) in *. set (Z := IZR z - pz) in *.
+  pose proof (len_pos X Y Z) as L. pose proof (eq_sym (len_square X Y Z)) as LL. set (l := len X Y Z) in *.
+  assert (LN : - X * - X + - Y * - Y + - Z * - Z = l * l) by lra.
+  assert (A : - X * p + - Y * p' + - Z * p'' <= l * IZR ca).
+  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below na ax ay az _ _ _ _ _ _ _ P). intros k K.
+    specialize (HA k K). apply IZR_le in HA. reals HA. pose proof (cauchy3 l (IZR ca) _ _ _ _ _ _ L CA LN HA). lra. }
+  assert (B : X * o + Y * o' + Z * o'' <= l * IZR cb).
+  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below nb bx bl bz _ _ _ _ _ _ _ O). intros k K.
+    specialize (HB k K). apply IZR_le in HB. reals HB. pose proof (cauchy3 l (IZR cb) _ _ _ _ _ _ L CB LL HB). lra. }
+  pose proof (widened l (- X) (- Y) (- Z) _ _ _ _ _ _ _ _ _ _ _ _ L LN E E') as W.
+  apply Rnot_le_gt. intros C. unfold square_apart in C. pose proof (cauchy3 l (IZR d) _ _ _ _ _ _ L D LL C) as V.
+  assert (l * (IZR ca + IZR cb + (IZR ra + IZR rb + IZR d)) < l * l) by (apply Rmult_lt_compat_l; lra).
+  assert (X * (IZR x - px) + Y * (IZR y - py) + Z * (IZR z - pz) = l * l) by (unfold X, Y, Z in *; lra). lra.
+Qed.
+
 (* `no`, by the spheres: no vertex is farther than its core's radius from its centre. *)
 Theorem spheres_apart3 (ca cb : Z) : (0 <= ca /\ 0 <= cb)%Z ->
   (forall i, (i < na)%nat -> norm3 (ax i) (ay i) (az i) <= ca * ca)%Z ->
@@ -266,29 +503,41 @@ Theorem spheres_apart3 (ca cb : Z) : (0 <= ca /\ 0 <= cb)%Z ->
   spheres_apart x y z (ca + cb + (ra + rb + d)) ->
   forall u v w s t q, in_a u v w -> in_b s t q -> square_apart u v w s t q > IZR d * IZR d.
 Proof.
-  intros (CA & CB) HA HB F u v w s t q (p & p' & p'' & P & E) (o & o' & o'' & O & E').
-  pose proof radii as (RA & RB & D). unfold spheres_apart, norm3 in *.
-  apply IZR_le in CA, CB, RA, RB, D. apply Z.gt_lt, IZR_lt in F. repeat rewrite ?mult_IZR, ?plus_IZR in F.
-  set (l := sqrt (IZR x * IZR x + IZR y * IZR y + IZR z * IZR z)).
-  assert (N : 0 <= IZR x * IZR x + IZR y * IZR y + IZR z * IZR z).
-  { pose proof (Rle_0_sqr (IZR x)). pose proof (Rle_0_sqr (IZR y)). pose proof (Rle_0_sqr (IZR z)). unfold Rsqr in *. lra. }
-  assert (L0 : 0 <= l) by apply sqrt_pos.
-  assert (LL : IZR x * IZR x + IZR y * IZR y + IZR z * IZR z = l * l) by (symmetry; apply sqrt_sqrt; exact N).
-  set (m := IZR ra + IZR rb + IZR d) in *. rewrite LL in F.
-  assert (M : IZR ca + IZR cb + m < l).
-  { apply Rnot_le_lt. intros G. pose proof (Rmult_le_compat _ _ _ _ L0 L0 G G). lra. }
-  assert (L : 0 < l) by (unfold m in *; lra).
-  assert (A : - IZR x * p + - IZR y * p' + - IZR z * p'' <= l * IZR ca).
-  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below na ax ay az _ _ _ _ _ _ _ P). intros k K.
-    specialize (HA k K). apply IZR_le in HA. repeat rewrite ?mult_IZR, ?plus_IZR in HA.
-    pose proof (cauchy3 l (IZR ca) (- IZR x) (- IZR y) (- IZR z) _ _ _ L0 CA ltac:(rewrite <- LL; ring) HA). lra. }
-  assert (B : IZR x * o + IZR y * o' + IZR z * o'' <= l * IZR cb).
-  { apply le_epsilon. intros e G. apply Rlt_le. apply (hull_below nb bx bl bz _ _ _ _ _ _ _ O). intros k K.
-    specialize (HB k K). apply IZR_le in HB. repeat rewrite ?mult_IZR, ?plus_IZR in HB.
-    pose proof (cauchy3 l (IZR cb) (IZR x) (IZR y) (IZR z) _ _ _ L0 CB LL HB). lra. }
-  apply (behind_apart l (- IZR x) (- IZR y) (- IZR z) u v w s t q p p' p'' o o' o'' L); try assumption.
-  - rewrite <- LL. ring.
-  - fold m. pose proof (Rmult_lt_compat_l l _ _ L M). lra.
+  intros C HA HB F u v w s t q PA PB. unfold spheres_apart in F. apply Z.gt_lt, IZR_lt in F.
+  rewrite norm_len, mult_IZR in F. apply square_less in F; [| apply len_pos].
+  pose proof (centres_apart3 ca cb 0 0 0 C HA HB) as A. rewrite !Rminus_0_r in A.
+  specialize (A F u v w s t q PA PB). rewrite !Rplus_0_r in A. exact A.
+Qed.
+
+Lemma mean_above f r a b : 0 <= f <= 1 -> r < a -> r < b -> r < (1 - f) * a + f * b.
+Proof.
+  intros F A B. destruct (Rle_lt_dec f 0) as [Z | P]; [replace f with 0 by lra; lra |].
+  pose proof (Rmult_lt_compat_l f _ _ P B). pose proof (Rmult_le_compat_l (1 - f) r a). lra.
+Qed.
+
+(* Beyond r at either end of the way on one side of an axis, beyond r at each fraction of it. *)
+Lemma stays_beyond w t r f : (0 <= r)%Z -> 0 <= f <= 1 -> stays_off w t r -> IZR r < Rabs (IZR w - f * IZR t).
+Proof.
+  intros R F [(A & B) | (A & B)].
+  - apply Z.gt_lt, IZR_lt in A, B. rewrite minus_IZR in B. pose proof (mean_above f _ _ _ F A B).
+    pose proof (Rle_abs (IZR w - f * IZR t)). lra.
+  - apply IZR_lt in A, B. rewrite minus_IZR, opp_IZR in B. rewrite opp_IZR in A.
+    pose proof (mean_above f (IZR r) (- IZR w) (- (IZR w - IZR t)) F ltac:(lra) ltac:(lra)).
+    pose proof (Rle_abs (- (IZR w - f * IZR t))). rewrite Rabs_Ropp in *. lra.
+Qed.
+
+(* A miss by the spheres: B moves by (tx, ty, tz), and stays more than the margin d away at each fraction f of that. *)
+Theorem spheres_miss3 ca cb tx ty tz : (0 <= ca /\ 0 <= cb)%Z ->
+  (forall i, (i < na)%nat -> norm3 (ax i) (ay i) (az i) <= ca * ca)%Z ->
+  (forall j, (j < nb)%nat -> norm3 (bx j) (bl j) (bz j) <= cb * cb)%Z ->
+  spheres_pass3 tx ty tz (ca + cb + (ra + rb + d)) -> forall f u v w s t q, 0 <= f <= 1 -> in_a u v w -> in_b s t q ->
+  square_apart u v w (s + f * IZR tx) (t + f * IZR ty) (q + f * IZR tz) > IZR d * IZR d.
+Proof.
+  intros C HA HB H f u v w s t q F PA PB. apply (centres_apart3 ca cb _ _ _ C HA HB); [| exact PA | exact PB].
+  assert (R : (0 <= ca + cb + (ra + rb + d))%Z) by lia.
+  pose proof (len_coordinates (IZR x - f * IZR tx) (IZR y - f * IZR ty) (IZR z - f * IZR tz)) as (X & Y & Z).
+  destruct H as [H | [H | [H | H]]]; [| | | exact (off_line_far _ _ _ _ f R H)];
+    pose proof (stays_beyond _ _ _ f R F H); lra.
 Qed.
 
 (* A point of f (A - B), without the radii: with weights, since a feature's point is a mean of up to four vertices. *)
@@ -544,9 +793,6 @@ Proof.
     split; [exact In |]. split; reflexivity.
 Qed.
 
-Lemma square_less a b : 0 <= b -> a * a < b * b -> a < b.
-Proof. intros B H. apply Rnot_le_lt. intros C. pose proof (Rmult_le_compat b a b a B B C C). lra. Qed.
-
 (* A point of A - B at length m from the origin, with the radii taken off. *)
 Lemma difference_exact3 u v w m : in_difference 1 u v w -> u * u + v * v + w * w = m * m -> 0 < m -> IZR ra + IZR rb <= m ->
   exists e f g s t q, in_a e f g /\ in_b s t q /\ square_apart e f g s t q = (m - IZR ra - IZR rb) * (m - IZR ra - IZR rb).
@@ -690,8 +936,137 @@ Qed.
 
 End Vertices.
 
+(* B swept along its way: each vertex moved back, and the same moved ahead. *)
+Definition swept (nb : nat) (v : nat -> Z) (back ahead : Z) (j : nat) : Z :=
+  if Nat.ltb j nb then (v j + back)%Z else (v (j - nb)%nat + ahead)%Z.
+
+Section Swept.
+
+Open Scope R_scope.
+
+Lemma pick_low (T : Type) n i (a b : T) : (i < n)%nat -> (if Nat.ltb i n then a else b) = a.
+Proof. intros L. destruct (Nat.ltb_spec i n); [reflexivity | lia]. Qed.
+
+Lemma pick_high (T : Type) n i (a : T) (b : nat -> T) : (if Nat.ltb (n + i) n then a else b (n + i - n)%nat) = b i.
+Proof. destruct (Nat.ltb_spec (n + i) n); [lia |]. f_equal. lia. Qed.
+
+Lemma sum_twice n f : sum (2 * n) f = sum n f + sum n (fun i => f (n + i)%nat).
+Proof.
+  replace (2 * n)%nat with (n + n)%nat by lia. assert (A : forall m, sum (n + m) f = sum n f + sum m (fun i => f (n + i)%nat)).
+  { induction m; [rewrite Nat.add_0_r; simpl; lra | rewrite Nat.add_succ_r; simpl; rewrite IHm; lra]. }
+  apply A.
+Qed.
+
+Lemma sum_swept n v back ahead k : sum (2 * n) (fun j => k j * IZR (swept n v back ahead j)) =
+  sum n (fun i => (k i + k (n + i)%nat) * IZR (v i)) + IZR back * sum n k + IZR ahead * sum n (fun i => k (n + i)%nat).
+Proof.
+  rewrite sum_twice.
+  rewrite (sum_ext n _ (fun i => 1 * (k i * IZR (v i)) + IZR back * k i + 0 * 0))
+    by (intros; unfold swept; rewrite pick_low, plus_IZR by assumption; ring).
+  rewrite (sum_ext n (fun i => k (n + i)%nat * IZR (swept n v back ahead (n + i)))
+    (fun i => 1 * (k (n + i)%nat * IZR (v i)) + IZR ahead * k (n + i)%nat + 0 * 0))
+    by (intros; unfold swept; rewrite (pick_high Z n i _ (fun j => v j + ahead)%Z), plus_IZR; ring).
+  rewrite (sum_ext n (fun i => (k i + k (n + i)%nat) * IZR (v i))
+    (fun i => 1 * (k i * IZR (v i)) + 1 * (k (n + i)%nat * IZR (v i)) + 0 * 0))
+    by (intros; ring).
+  rewrite !sum_combine. ring.
+Qed.
+
+(* A and B as above; the swept shape has B's vertices (px, py, pz) back and, all of the way further, ahead. Its centre is B's
+   less that, so that A's centre less it is (x, y, z) with (px, py, pz). *)
+Variables (na nb : nat) (ax ay az bx bl bz : nat -> Z) (x y z px py pz tx ty tz ra rb d cx cy cz : Z).
+Hypothesis radii : (0 <= ra /\ 0 <= rb /\ 0 <= d)%Z.
+
+Notation sx := (swept nb bx px (px + tx)).
+Notation sl := (swept nb bl py (py + ty)).
+Notation sz := (swept nb bz pz (pz + tz)).
+Notation of_a := (in_a na ax ay az x y z ra cx cy cz).
+Notation of_b := (in_b nb bx bl bz rb cx cy cz).
+Notation of_swept := (in_b (2 * nb) sx sl sz rb (cx - px) (cy - py) (cz - pz)).
+
+Lemma a_back : in_a na ax ay az (x + px) (y + py) (z + pz) ra (cx - px) (cy - py) (cz - pz) = of_a.
+Proof. unfold in_a. f_equal; f_equal; ring. Qed.
+
+Lemma hull_swept s t q f : 0 <= f <= 1 -> in_hull nb bx bl bz s t q ->
+  in_hull (2 * nb) sx sl sz (s + IZR px + f * IZR tx) (t + IZR py + f * IZR ty) (q + IZR pz + f * IZR tz).
+Proof.
+  intros F (k & K & One & -> & -> & ->). set (g := fun j => if Nat.ltb j nb then (1 - f) * k j else f * k (j - nb)%nat).
+  assert (G0 : forall i, (i < nb)%nat -> g i = (1 - f) * k i + 0 * 0 + 0 * 0)
+    by (intros i I; unfold g; rewrite pick_low by exact I; ring).
+  assert (G1 : forall i, (i < nb)%nat -> g (nb + i)%nat = f * k i + 0 * 0 + 0 * 0)
+    by (intros i I; unfold g; rewrite (pick_high R nb i _ (fun j => f * k j)); ring).
+  pose proof (sum_ext nb _ _ G0) as S0. pose proof (sum_ext nb _ _ G1) as S1. rewrite sum_combine, One in S0, S1.
+  assert (point : forall v back t, sum nb (fun i => k i * IZR (v i)) + IZR back + f * IZR t =
+    sum (2 * nb) (fun j => g j * IZR (swept nb v back (back + t) j))).
+  { intros v back e. rewrite sum_swept, S0, S1, plus_IZR.
+    rewrite (sum_ext nb (fun i => (g i + g (nb + i)%nat) * IZR (v i)) (fun i => k i * IZR (v i))).
+    - ring.
+    - intros i I. rewrite G0, G1 by exact I. ring. }
+  exists g. split; [| split; [rewrite sum_twice, S0, S1; ring | repeat split; apply point]].
+  intros i I. unfold g. destruct (Nat.ltb_spec i nb); apply Rmult_le_pos; try apply K; try lra; lia.
+Qed.
+
+Lemma hull_unswept s t q : in_hull (2 * nb) sx sl sz s t q -> exists f, 0 <= f <= 1 /\
+  in_hull nb bx bl bz (s - IZR px - f * IZR tx) (t - IZR py - f * IZR ty) (q - IZR pz - f * IZR tz).
+Proof.
+  intros (k & K & One & -> & -> & ->). rewrite sum_twice in One. set (f := sum nb (fun i => k (nb + i)%nat)) in *.
+  assert (pos : forall n g, (forall i, (i < n)%nat -> 0 <= g i) -> 0 <= sum n g).
+  { induction n; simpl; intros g G; [lra |]. apply Rplus_le_le_0_compat; auto with arith. }
+  exists f. split.
+  { split; [apply pos; intros; apply K; lia |]. assert (0 <= sum nb k) by (apply pos; intros; apply K; lia). lra. }
+  exists (fun i => k i + k (nb + i)%nat). split; [intros i I; apply Rplus_le_le_0_compat; apply K; lia |]. split.
+  - rewrite (sum_ext nb _ (fun i => 1 * k i + 1 * k (nb + i)%nat + 0 * 0)) by (intros; ring). rewrite sum_combine. fold f. lra.
+  - rewrite !sum_swept, !plus_IZR. fold f. replace (sum nb k) with (1 - f) by lra. repeat split; ring.
+Qed.
+
+Lemma b_swept s t q f : 0 <= f <= 1 -> of_b s t q -> of_swept (s + f * IZR tx) (t + f * IZR ty) (q + f * IZR tz).
+Proof.
+  intros F (o & o' & o'' & O & E). eexists _, _, _. split; [exact (hull_swept _ _ _ f F O) |]. rewrite !minus_IZR.
+  eapply Rle_trans; [apply Req_le | exact E]. ring.
+Qed.
+
+(* `no` of the swept shape, by a direction: A and B stay more than the margin apart on all of the way. *)
+Theorem swept_apart3 : separated_by3 na (2 * nb) ax ay az sx sl sz (x + px) (y + py) (z + pz) (ra + rb + d) ->
+  forall f u v w s t q, 0 <= f <= 1 -> of_a u v w -> of_b s t q ->
+  square_apart u v w (s + f * IZR tx) (t + f * IZR ty) (q + f * IZR tz) > IZR d * IZR d.
+Proof.
+  intros H f u v w s t q F PA PB. rewrite <- a_back in PA. apply (b_swept _ _ _ f F) in PB.
+  exact (apart3 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ radii H _ _ _ _ _ _ PA PB).
+Qed.
+
+(* `no` of the swept shape, by the spheres. *)
+Theorem swept_spheres3 ca cs : (0 <= ca /\ 0 <= cs)%Z ->
+  (forall i, (i < na)%nat -> norm3 (ax i) (ay i) (az i) <= ca * ca)%Z ->
+  (forall j, (j < 2 * nb)%nat -> norm3 (sx j) (sl j) (sz j) <= cs * cs)%Z ->
+  spheres_apart (x + px) (y + py) (z + pz) (ca + cs + (ra + rb + d)) ->
+  forall f u v w s t q, 0 <= f <= 1 -> of_a u v w -> of_b s t q ->
+  square_apart u v w (s + f * IZR tx) (t + f * IZR ty) (q + f * IZR tz) > IZR d * IZR d.
+Proof.
+  intros C HA HB H f u v w s t q F PA PB. rewrite <- a_back in PA. apply (b_swept _ _ _ f F) in PB.
+  exact (spheres_apart3 _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ radii ca cs C HA HB H _ _ _ _ _ _ PA PB).
+Qed.
+
+(* `yes` of the swept shape: somewhere on the way A and B touch. *)
+Theorem swept_touches3 :
+  together3 na (2 * nb) ax ay az sx sl sz (x + px) (y + py) (z + pz) (ra + rb + d) ->
+  exists f u v w s t q, 0 <= f <= 1 /\ of_a u v w /\ of_b s t q /\
+  square_apart u v w (s + f * IZR tx) (t + f * IZR ty) (q + f * IZR tz) <= IZR d * IZR d.
+Proof.
+  intros H. destruct (touching3 _ _ _ _ _ _ _ _ _ _ _ _ _ _ (cx - px) (cy - py) (cz - pz) radii H)
+    as (u & v & w & s & t & q & PA & (o & o' & o'' & O & E) & T). rewrite a_back in PA.
+  destruct (hull_unswept _ _ _ O) as (f & F & O').
+  exists f, u, v, w, (s - f * IZR tx), (t - f * IZR ty), (q - f * IZR tz). split; [exact F |]. split; [exact PA |]. split.
+  - eexists _, _, _. split; [exact O' |]. rewrite !minus_IZR in E. eapply Rle_trans; [apply Req_le | exact E]. ring.
+  - eapply Rle_trans; [apply Req_le | exact T]. unfold square_apart. ring.
+Qed.
+End Swept.
+
 Print Assumptions apart3.
 Print Assumptions spheres_apart3.
+Print Assumptions spheres_miss3.
 Print Assumptions touching3.
 Print Assumptions distance_rounds3.
 Print Assumptions depth_enough3.
+Print Assumptions swept_apart3.
+Print Assumptions swept_spheres3.
+Print Assumptions swept_touches3.
