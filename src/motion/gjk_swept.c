@@ -51,6 +51,20 @@ static bool vertex_swept(const gjk_collider *c, uint16_t number, gjk_vec3 *offse
   return true;
 }
 
+static const gjk_shape_class swept_class = {
+    .measure = NULL,
+    .pose = NULL,
+    .support = support_swept,
+    .refine = refine_swept,
+    .vertex = vertex_swept,
+    .stalls = NULL,
+    .close = NULL,
+    .concave = NULL,
+    .buffered = false,
+    .count = 0,
+    .kind = GJK_KIND_VERTICES,
+};
+
 // *to = *from, without a call of memcpy.
 static void copy_collider(gjk_collider *to, const gjk_collider *from) {
   to->shape = from->shape;
@@ -83,19 +97,6 @@ static int32_t part_of(int64_t apart, int32_t *other) {
 }
 
 bool gjk_swept_set(gjk_swept *s, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
-  static const gjk_shape_class swept_class = {
-      .measure = NULL,
-      .pose = NULL,
-      .support = support_swept,
-      .refine = refine_swept,
-      .vertex = vertex_swept,
-      .stalls = NULL,
-      .close = NULL,
-      .concave = NULL,
-      .buffered = false,
-      .count = 0,
-      .kind = GJK_KIND_VERTICES,
-  };
   const int64_t limit = INT64_C(1) << 30;
   const uint32_t count = b->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << b->count : b->count;
   const gjk_long3 *t = &way->t;
