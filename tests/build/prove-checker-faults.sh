@@ -43,7 +43,7 @@ for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3 coqc:
     exit
   fi
 done
-wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|claim|plane_cast|space): \[wp\]'
+wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane|claim|plane_cast|space_cast|space): \[wp\]'
 fault digits-mixed $wide.c gjk_sum_of_products 'gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'gjk_mac32(gjk_mul32(rh, sl), rl, sl);' "$open"
 fault carry-lost $wide.c gjk_sum_of_products '+ (digit >> 31);' ';' "$open"
 fault sign-of-zero $wide.c gjk_sum_of_products_sign_exact '? -1 : (sum.high | sum.low) != 0' '? -1 : sum.low != 0' "$open"
@@ -139,7 +139,22 @@ fault beside-the-edge $cast plane_enters 'side_p > 0 || side_q < 0 || ' 'side_q 
 fault line-before-the-edge $cast plane_enters 'most != gjk2_way_along(way, n, q->o)' 'most < gjk2_way_along(way, n, q->o)' "$open"
 fault inside-at-any-gap $cast plane_check_inside 'status != GJK_OK || !decision.yes' 'status != GJK_OK' "$open"
 fault hit-is-a-miss $cast gjk2_check_cast 'return result->hit ? GJK_ERROR_UNPROVEN : GJK_OK;' 'return result->hit ? GJK_OK : GJK_ERROR_UNPROVEN;' "$open"
+spheres=src/motion/gjk_spheres.c swept=src/motion/gjk_swept.c cast=src/motion/gjk_check_cast.c
+fault way-beyond-one-end $spheres is_past 'o > reach || o < t - reach :' 'o > reach || o < t :' "$open"
+fault leading-bits-of-x $spheres leading_bits_of 'gjk_shl32((int32_t)v->y, (unsigned)-n);' 'gjk_shl32((int32_t)v->x, (unsigned)-n);' "$open"
+fault reach-without-slack $spheres passes '(int32_t)reach1 + 12;' '(int32_t)reach1 - 12;' "$open"
+fault limit-rounded-down $spheres passes '2 * z) + 1;' '2 * z) - 1;' "$open"
+fault core-of-a-alone $spheres gjk_spheres_part 'radius + a->core_radius + b->core_radius;' 'radius + a->core_radius;' "$open"
+fault way-of-b-alone src/motion/gjk_way.c gjk_way_set 'z = of_b.z - of_a.z;' 'z = of_b.z;' "$open"
+fault length-too-short $swept half_length '>> 1) + 2);' '>> 1) + 1);' "$open"
+fault middle-of-x $swept gjk_swept_set 'ca->y - cb->y + s->back.y' 'ca->y - cb->y + s->back.x' "$open"
+fault swept-core-of-b $swept gjk_swept_set 's->swept.core_radius = b->core_radius + length;' 's->swept.core_radius = b->core_radius;' "$open"
+fault decision-not-asked $cast prove_within 'status == GJK_OK && decision.yes != within' 'status != GJK_OK' "$open"
+fault swept-without-margin $cast check_rounded '&swept.swept, margin, result->hit);' '&swept.swept, 0, result->hit);' "$open"
+fault later-at-the-start $cast check_rounded 'prove_within(a, b, margin, false);' 'GJK_OK;' "$open"
+fault inside-unproven $cast is_proven ' && prove_start(a, b, 0, result) == GJK_OK;' ';' "$open"
 fault end-not-asked tests/prove/checker/hull.v hull 'clear dx dy h r /\ clear dx dy (h - dot dx dy tx ty) r' 'clear dx dy h r' '^failed: what holds of vertices'
+fault swept-at-the-start tests/prove/checker/solid.v hull 'v (j - nb)%nat + ahead' 'v (j - nb)%nat + back' '^failed: what holds of vertices'
 fault move-other-way tests/prove/checker/hull.v hull 'cleared (dot dx dy tx ty - h)' 'cleared (h - dot dx dy tx ty)' '^failed: what holds of vertices'
 fault touching-is-beyond tests/prove/checker/hull.v hull 'Definition farther (s r square : Z) := s * s > r' \
   'Definition farther (s r square : Z) := s * s >= r' '^failed: what holds of vertices'

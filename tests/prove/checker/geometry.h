@@ -139,4 +139,7 @@
 /*@ predicate at_most_root(integer s, integer t, integer n) =
       (0 <= t && (s <= 0 || s * s <= t * t * n)) || (t < 0 && s < 0 && t * t * n <= s * s); */
 
+// On a way that moves by t there a coordinate of the centres' difference stays more than r away from 0.
+/*@ predicate stays_off(integer x, integer t, integer r) = (x > r && x - t > r) || (x < -r && x - t < -r); */
+
 #endif

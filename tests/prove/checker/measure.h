@@ -134,11 +134,9 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
     lemma above_half: \forall integer n, m, f, k, t; t == (2 * k - 1) * f && t * t * m <= 4 * n ==> above_half(n, m, f, k); */
 
 /*@ predicate product_least(integer a, integer b) = 1 <= a && 1 <= b ==> a <= a * b && b <= a * b;
-    lemma product_least: \forall integer a, b; product_least(a, b);
-    lemma scale_8: scale(8) == 0x100;
-    lemma scale_16: scale(16) == 0x10000;
-    lemma scale_29: scale(29) == 0x20000000;
-    lemma scale_33: scale(33) == 0x200000000; */
+    lemma product_least: \forall integer a, b; product_least(a, b); */
+
+#include "scales.h"
 
 // What is compared with twice the distance.
 #define UP (uint64_t)((uint64_t)(twice + 1) << it->shift)

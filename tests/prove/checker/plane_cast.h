@@ -8,8 +8,7 @@
 #include "src/plane_motion/gjk2_way.h"
 
 // B moves by (tx, ty) against A. Circles of radii that add up to r, whose centres are (x, y) apart, never meet.
-/*@ predicate stays_off(integer x, integer tx, integer r) = (x > r && x - tx > r) || (x < -r && x - tx < -r);
-    predicate foot_off(integer x, integer y, integer tx, integer ty, integer r) = dot(tx, ty, x, y) <= 0 ||
+/*@ predicate foot_off(integer x, integer y, integer tx, integer ty, integer r) = dot(tx, ty, x, y) <= 0 ||
       dot(tx, ty, tx, ty) <= dot(tx, ty, x, y) || farther(cross(tx, ty, x, y), r, dot(tx, ty, tx, ty));
     predicate circles_pass(integer x, integer y, integer tx, integer ty, integer r) =
       stays_off(x, tx, r) || stays_off(y, ty, r) ||
