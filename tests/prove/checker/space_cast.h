@@ -397,7 +397,7 @@ static gjk_status prove_start(const gjk_collider *a, const gjk_collider *b, gjk_
   (a->shape->type->stalls == \null && b->shape->type->stalls == \null && BELOW27(t.x) && BELOW27(t.y) && \
    BELOW27(t.z) && SHORT(APART_X(a, b)) && SHORT(APART_Y(a, b)) && SHORT(APART_Z(a, b)) &&               \
    b->core_radius + b->shape->convex_radius <= 0x8000000 && b->radius <= 0x8000000 &&                    \
-   (b->shape->type->kind == GJK_KIND_AXES == > b->count <= 3))
+   (b->shape->type->kind != GJK_KIND_AXES || b->count <= 3))
 
 /*@ requires solid(a) && solid(b) && \valid_read(way) && \valid_read(result) && SWEEPS(a, b, way->t);
     assigns \nothing;
