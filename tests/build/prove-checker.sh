@@ -50,20 +50,30 @@ EOC
   why3 config list-provers | grep -q 'Z3.*(ground)' && why3 config list-provers | grep -q '^CVC4'
 }
 
-# wp NAME MACHINE DEFINES FILE OPTION...: the goals of one run, in $dir/NAME.txt. What is open is tried once more, with more
-# time. TRIES: the seconds of each try.
+# The goals of $1 that are open.
+open_goals() {
+  grep -E '^\[wp\] \[.*\] Goal' "$1" | grep -v ' : Valid'
+}
+
+# wp NAME MACHINE DEFINES FILE OPTION LIST: the goals of functions, `-wp-fct FUNCTION,...`, or of lemmas, `-wp-prop NAME,...`,
+# in $dir/NAME.txt. Functions that leave one open are tried once more, with more time; lemmas all. TRIES: the seconds of each try.
 wp() {
-  name=$1 machine=$2 defines=$3 file=$4
-  shift 4
+  name=$1 machine=$2 defines=$3 file=$4 option=$5 left=$6
+  : >"$dir/$name.txt"
   for seconds in ${TRIES:-20 80}; do
     (cd "$dir" && nice -n 5 frama-c -wp -wp-rte -rte-no-pointer-call -wp-prover ground,cvc4,z3 -wp-timeout "$seconds" -wp-par 2 \
-      -wp-cache update -wp-cache-dir "$cache" -machdep "$machine" -cpp-extra-args="-Iinclude -I. -DGJK_VECTORS=0 $defines" "$@" \
-      $spec/"$file") >"$dir/$name.txt" 2>&1
-    grep -E '^\[wp\] \[.*\] Goal' "$dir/$name.txt" | grep -qv ' : Valid' || break
+      -wp-cache update -wp-cache-dir "$cache" -machdep "$machine" -cpp-extra-args="-Iinclude -I. -DGJK_VECTORS=0 $defines" \
+      "$option" "$left" $spec/"$file") >"$dir/$name.try" 2>&1
+    cat "$dir/$name.try" >>"$dir/$name.txt"
+    open_goals "$dir/$name.try" >/dev/null || break
+    [ "$option" = -wp-prop ] || left=$(for one in $(echo "$left" | tr , ' '); do
+      open_goals "$dir/$name.try" | grep -q "Goal typed_${one}_" && echo "$one"
+    done | paste -sd, -)
+    [ -n "$left" ] || break
   done
   sed -n 's/^\[wp\] \[\(.*\)\] Goal typed_\([^ ]*\) : Valid.*/\2: \1/p' "$dir/$name.txt" | grep -v ': Qed$' | sed "s/^/$name: /"
-  grep -E '^\[wp\] \[.*\] Goal' "$dir/$name.txt" | grep -v ' : Valid' | sed "s/^/failed: $name: /"
-  grep -qE '^\[wp\] Proved goals: *([0-9]+) / \1$' "$dir/$name.txt"
+  open_goals "$dir/$name.try" | sed "s/^/failed: $name: /"
+  grep -qE '^\[wp\] Proved goals: *([0-9]+) / \1$' "$dir/$name.try"
 }
 
 # Has each function of the run a contract, from which a goal follows?
@@ -88,8 +98,24 @@ work() {
   [ -z "$list" ] || { wp "$1" "$2" "$3" "$4.c" -wp-fct "$list" >"$dir/$1.goals" && : >"$dir/$1.proven"; }
 }
 
+# lemmas FILE [HEADER...]: those of all headers that FILE includes, or of these.
 lemmas() {
-  wp "lemmas-$1" gcc_x86_32 '' "$1.c" -wp-prop=@lemma >"$dir/lemmas-$1.goals" && : >"$dir/lemmas-$1.proven"
+  file_of=$1
+  shift
+  names=@lemma
+  [ $# = 0 ] || names=$(cd $spec && lemma_names "$@" | paste -sd, -)
+  wp "lemmas-$file_of" gcc_x86_32 '' "$file_of.c" -wp-prop "$names" >"$dir/lemmas-$file_of.goals" && : >"$dir/lemmas-$file_of.proven"
+}
+
+lemma_names() {
+  grep -oh 'lemma [a-z_0-9]*:' "$@" | sed 's/lemma //; s/://'
+}
+
+# Is each lemma of each header proven in some file?
+each_lemma() {
+  for lemma in $(lemma_names $spec/*.h); do
+    grep -q "Goal typed_lemma_$lemma : Valid" "$dir"/lemmas-*.txt || { echo "no proof of lemma $lemma"; return 1; }
+  done
 }
 
 report() {
@@ -143,8 +169,13 @@ files='plane claim plane_cast space_cast space'
   [ -n "$wanted" ] || lemmas space
   work space gcc_x86_32 '' space
 } &
+[ -n "$wanted" ] || {
+  lemmas plane
+  lemmas claim claim.h limbs.h
+  lemmas plane_cast plane_cast.h
+  lemmas space_cast space_cast.h
+}
 for which in plane claim plane_cast space_cast; do
-  [ -n "$wanted" ] || lemmas $which
   work $which gcc_x86_32 '' $which
 done
 work int32 gcc_x86_32 '' wide
@@ -155,6 +186,7 @@ if [ -z "$wanted" ]; then
     cat "$dir/lemmas-$which.goals"
     check "each lemma of $which.c is proven" [ -e "$dir/lemmas-$which.proven" ]
   done
+  check 'each lemma of the headers is proven in some file' each_lemma
 fi
 if [ -z "$wanted" ] || [ "$wanted" = hull ]; then
   if have coqc; then
