@@ -826,8 +826,9 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
 #define TOP_OF(s) top_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
 #define BOTTOM_OF(s) bottom_of((s)->count, SLOT(s, 0), SLOT(s, 1), SLOT(s, 2))
 
-/*@ lemma point_across: \forall integer x, y, z, dx, dy, dz, n, m;
-      dx == -x && dy == -y && dz == -z && point_far(x, y, z, n, m) ==> across3(dx, dy, dz, x, y, z, n, m);
+/*@ predicate point_across(integer dx, integer dy, integer dz, integer x, integer y, integer z) =
+      dx == -x && dy == -y && dz == -z ==> across3(dx, dy, dz, x, y, z, norm3(x, y, z), 1);
+    lemma point_across: \forall integer dx, dy, dz, x, y, z; point_across(dx, dy, dz, x, y, z);
     predicate times_across(integer a, integer n, integer m, integer l) = a == -n && l == n * m ==> a * a * m == n * l;
     lemma times_across: \forall integer a, n, m, l; times_across(a, n, m, l);
     lemma edge_across: \forall integer x, y, z, u, v, w, s, t, n; gram_of_edge(x, y, z, u, v, w, s, t, n) &&
