@@ -21,8 +21,8 @@ def function(name):
                  "plane/gjk2_vector.h", "plane/gjk2_class.h", "query/gjk_check.c", "arith/gjk_vector.c",
                  "gjk/gjk_frame.c", "gjk/gjk_frame.h", "gjk/gjk_iteration.c", "gjk/gjk_iteration.h",
                  "gjk/gjk_simplex.c", "gjk/gjk_simplex.h", "shape/gjk_shape_class.h", "query/gjk_distance.h",
-                 "plane_motion/gjk2_way.c", "plane_motion/gjk2_check_cast.c", "motion/gjk_way.c", "motion/gjk_spheres.c",
-                 "motion/gjk_swept.c", "motion/gjk_check_cast.c"):
+                 "plane_motion/gjk2_way.c", "plane_motion/gjk2_check_cast.c", "motion/gjk_way.c",
+                 "motion/gjk_spheres.c", "motion/gjk_swept.c", "motion/gjk_check_cast.c"):
         found = re.search(head + r".*?^\}$", open("src/" + path).read(), re.M | re.S)
         if found:
             return [s for s in found.group().split("\n") if s.strip() and not s.lstrip().startswith("//")]
@@ -37,7 +37,8 @@ def contracts(files, names):
         words[re.match(r"(?:predicate|logic integer) (\w+)", clause).group(1)] = clause
     for macro in re.findall(r"^#define (?:.*\\\n)*.*", text, re.M):
         words[re.match(r"#define (\w+)", macro).group(1)] = macro
-    found = [re.search(r"/\*@ (?:requires|assigns)(?:(?!/\*@).)*?\w+ " + name + r"\(", text, re.S).group() for name in names]
+    contract = r"/\*@ (?:requires|assigns)(?:(?!/\*@).)*?\w+ "
+    found = [re.search(contract + name + r"\(", text, re.S).group() for name in names]
     found += re.findall(r"axiom .*?;", text, re.S)
     used, todo = set(), found[:]
     while todo:
