@@ -152,6 +152,7 @@ Proof.
     pose proof (Rmult_le_compat_l _ _ _ G0 T). lra. }
   pose proof (cross_along a b c e f g G). pose proof (Rmult_le_compat_l _ _ _ (len_pos e f g) D). lra.
 Qed.
+
 (* A vector is at most as long as its rounded one, and 7 / 4. *)
 Lemma len_near x y z a b c : len (a - x) (b - y) (c - z) <= 7 / 4 -> len a b c <= len x y z + 7 / 4.
 Proof.

@@ -28,6 +28,7 @@
 #define SHORT(x) (-0x40000000 < (x) < 0x40000000)
 #define SHORT3(v) (SHORT((v).x) && SHORT((v).y) && SHORT((v).z))
 #define ZERO3(v) ((v).x == 0 && (v).y == 0 && (v).z == 0)
+#define CENTRES(a, b) (SHORT(APART_X(a, b)) && SHORT(APART_Y(a, b)) && SHORT(APART_Z(a, b)))
 
 /*@ lemma scale_28: scale(28) == 0x10000000;
     lemma scale_35: scale(35) == 0x800000000;
@@ -49,9 +50,6 @@ static inline unsigned gjk_clz64(uint64_t x);
     lemma scale_63: scale(63) == 0x8000000000000000;
     predicate joined3(integer x, integer y, integer z, integer m) = x <= m && y <= m && z <= m;
     lemma joined3: \forall integer x, y, z; 0 <= x && 0 <= y && 0 <= z ==> joined3(x, y, z, x | y | z);
-    predicate joined_30(integer x, integer y, integer z) = (x | y | z) < 0x40000000;
-    lemma joined_30: \forall integer x, y, z; 0 <= x < 0x40000000 && 0 <= y < 0x40000000 && 0 <= z < 0x40000000 ==>
-      joined_30(x, y, z);
     predicate largest(integer x, integer y, integer z, integer n) = scale(n) <= x || scale(n) <= y || scale(n) <= z;
     lemma largest: \forall integer x, y, z, n; 0 <= n && 0 <= x && 0 <= y && 0 <= z && scale(n) <= (x | y | z) ==>
       largest(x, y, z, n);
@@ -147,7 +145,6 @@ static bool is_past(int64_t o, int64_t t, int64_t reach);
 /*@ requires \valid_read(v) && \valid(k) && \separated(v, k) && SHORT3(*v) && !ZERO3(*v);
     assigns *k;
     ensures -28 <= *k <= 35;
-    ensures *k >= 0 ==> scale(*k) <= 8;
     ensures led3(XYZ(*v), SCALE_DOWN(*k), SCALE_UP(*k), XYZ(\result));
     ensures within29(XYZ(\result)) && full29(XYZ(\result)); */
 static gjk_vec3 leading_bits_of(const gjk_long3 *v, int *k);
@@ -160,7 +157,7 @@ static gjk_vec3 leading_bits_of(const gjk_long3 *v, int *k);
 static bool passes(const gjk_long3 *o, const gjk_long3 *t, int64_t reach);
 
 /*@ requires \valid_read(a) && \valid_read(b) && \valid_read(way) && SHORT3(way->t);
-    requires SHORT(APART_X(a, b)) && SHORT(APART_Y(a, b)) && SHORT(APART_Z(a, b)) && 0 <= radius < 0x100000000;
+    requires CENTRES(a, b) && 0 <= radius < 0x100000000;
     requires 0 <= a->core_radius <= 0x10000000 && 0 <= b->core_radius <= 0x10000000;
     assigns \nothing;
     ensures \result == 0 || \result == 1;
@@ -248,6 +245,7 @@ gjk_status gjk_way_set(gjk_way *way, const gjk_collider *a, const gjk_collider *
 
 // A point at most half of t, and an LSB, away along each axis is within this length.
 #define BELOW27(x) (-0x8000000 < (x) < 0x8000000)
+#define SHORT_WAY(x, y, z) (BELOW27(x) && BELOW27(y) && BELOW27(z))
 /*@ predicate half_of(integer u, integer t) = -(size(t) + 1) <= 2 * u <= size(t) + 1;
     predicate reached_by(integer tx, integer ty, integer tz, integer l) = \forall integer x, y, z;
       half_of(x, tx) && half_of(y, ty) && half_of(z, tz) ==> in_ball(x, y, z, l); */
@@ -286,7 +284,7 @@ gjk_status gjk_way_set(gjk_way *way, const gjk_collider *a, const gjk_collider *
     ensures root_of(\result, x); */
 uint32_t gjk_isqrt64(uint64_t x);
 
-/*@ requires \valid_read(t) && BELOW27(t->x) && BELOW27(t->y) && BELOW27(t->z);
+/*@ requires \valid_read(t) && SHORT_WAY(t->x, t->y, t->z);
     assigns \nothing;
     ensures 2 <= \result <= 0x7000001;
     ensures reached_by(XYZ(*t), \result); */
@@ -303,15 +301,16 @@ static int32_t part_of(int64_t apart, int32_t *other);
 static void copy_collider(gjk_collider *to, const gjk_collider *from);
 
 #define BACK(s) XYZ((s)->back)
+// Centres and sizes for which B may be swept.
+#define SWEEPS(a, b)                                                                                   \
+  (CENTRES(a, b) && b->core_radius + b->shape->convex_radius <= 0x8000000 && b->radius <= 0x8000000 && \
+   (b->shape->type->kind != GJK_KIND_AXES || b->count <= 3))
 
 // That the class's vertex function gives these vertices, and that the copy of A has A's, is taken as given.
 /*@ requires \valid(s) && solid(a) && solid(b) && a->shape->type->stalls == \null && b->shape->type->stalls == \null;
     requires \valid_read(way) && \separated(s, a) && \separated(s, b) && \separated(s, way);
     requires \separated(s, a->shape) && \separated(s, b->shape) && \separated(s, a->shape->type) && \separated(s, b->shape->type);
-    requires BELOW27(way->t.x) && BELOW27(way->t.y) && BELOW27(way->t.z);
-    requires SHORT(APART_X(a, b)) && SHORT(APART_Y(a, b)) && SHORT(APART_Z(a, b));
-    requires b->core_radius + b->shape->convex_radius <= 0x8000000 && b->radius <= 0x8000000;
-    requires b->shape->type->kind == GJK_KIND_AXES ==> b->count <= 3;
+    requires SHORT_WAY(way->t.x, way->t.y, way->t.z) && SWEEPS(a, b);
     assigns *s;
     ensures \result == 0 || \result == 1;
     ensures back: \result == 1 ==> half_of(s->back.x, way->t.x) && half_of(s->back.y, way->t.y) && half_of(s->back.z, way->t.z);
@@ -393,13 +392,8 @@ static bool same_report(const gjk_cast_result *r, const gjk_cast_result *s);
 static gjk_status prove_start(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
                               const gjk_cast_result *result);
 
-#define SWEEPS(a, b, t)                                                                                  \
-  (a->shape->type->stalls == \null && b->shape->type->stalls == \null && BELOW27(t.x) && BELOW27(t.y) && \
-   BELOW27(t.z) && SHORT(APART_X(a, b)) && SHORT(APART_Y(a, b)) && SHORT(APART_Z(a, b)) &&               \
-   b->core_radius + b->shape->convex_radius <= 0x8000000 && b->radius <= 0x8000000 &&                    \
-   (b->shape->type->kind != GJK_KIND_AXES || b->count <= 3))
-
-/*@ requires solid(a) && solid(b) && \valid_read(way) && \valid_read(result) && SWEEPS(a, b, way->t);
+/*@ requires solid(a) && solid(b) && a->shape->type->stalls == \null && b->shape->type->stalls == \null;
+    requires \valid_read(way) && \valid_read(result) && SHORT_WAY(way->t.x, way->t.y, way->t.z) && SWEEPS(a, b);
     assigns \nothing;
     ensures miss: \result == GJK_OK && result->hit == 0 ==>
       swept_off(a, b, APART(a, b), XYZ(way->t), RADII(a, b) + margin);
@@ -455,11 +449,8 @@ static inline bool gjk_is_curved(const gjk_shape *shape);
 
 // What a checked cast means for the vertices; solid.v goes on from there. For ways of less than 2^27 LSB along each axis,
 // and a B of at most that radius.
-/*@ requires solid(a) && solid(b) && PATH(path) && \valid_read(result) && BELOW27(MOVE(a, b, path, x));
-    requires BELOW27(MOVE(a, b, path, y)) && BELOW27(MOVE(a, b, path, z));
-    requires SHORT(APART_X(a, b)) && SHORT(APART_Y(a, b)) && SHORT(APART_Z(a, b));
-    requires b->core_radius + b->shape->convex_radius <= 0x8000000 && b->radius <= 0x8000000;
-    requires b->shape->type->kind == GJK_KIND_AXES ==> b->count <= 3;
+/*@ requires solid(a) && solid(b) && PATH(path) && \valid_read(result);
+    requires SHORT_WAY(MOVE(a, b, path, x), MOVE(a, b, path, y), MOVE(a, b, path, z)) && SWEEPS(a, b);
     assigns \nothing;
     ensures \result == GJK_OK ==> 0 <= path->margin;
     ensures miss: \result == GJK_OK && result->hit == 0 && 0 < MARGIN(a, b, path) ==>
